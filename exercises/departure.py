@@ -22,7 +22,7 @@ from exercises.drawings import shows_signs
 from exercises.figures.geometry import shown_sense
 from exercises.figures.points import posture_in_figure
 from exercises.grading import Finding, Verdict
-from exercises.grading.facts import least_cost
+from exercises.grading.axis_directions import least_cost
 from exercises.grading.verdict import Matrix4
 from exercises.instance import Instance
 from kinematics.cells import ReadTable, in_length_unit

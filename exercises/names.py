@@ -9,13 +9,13 @@ from dataclasses import replace
 from functools import lru_cache
 
 from exercises.definition import Exercise
-from exercises.grading.judging.typed import ANGLES
 from kinematics.cells import ParameterKind, ReadTable, nearest_name
 from kinematics.cells.substitution import substitute, with_values
 from kinematics.cells.unit_words import is_symbol_of_unit
 from kinematics.cells.variables import variable_index
 from kinematics.errors import CellError, Fault, ParamValue
 from kinematics.expressions import Expression, Parameter, parameters_in
+from kinematics.table import ANGLES
 
 
 def unknown_name(

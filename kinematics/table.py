@@ -18,6 +18,7 @@ from kinematics.expressions import Expression, evaluate_each, parameters_in
 Entry = TypeVar("Entry", float, Expression)
 
 CELLS = ("alpha", "a", "d", "theta")
+ANGLES, LENGTHS = ("alpha", "theta"), ("a", "d")
 
 
 class Convention(StrEnum):

@@ -19,7 +19,7 @@ from kinematics.errors import KinematicsError
 from kinematics.expressions import Expression, Number, Parameter, add, evaluate, multiply, parameters_in
 from kinematics.frames.assignment import assign_frames
 from kinematics.frames.axes import JointAxis
-from kinematics.table import Convention, JointType, NumericTable
+from kinematics.table import LENGTHS, Convention, JointType, NumericTable
 
 MOST_AXES = 16
 MOST_LENGTHS = 32
@@ -236,5 +236,5 @@ def _nice(coefficient: float) -> Fraction:
 
 
 def _lengths_in(table: NumericTable) -> dict[tuple[int, str], float]:
-    cells: Sequence[str] = ("a", "d")
+    cells: Sequence[str] = LENGTHS
     return {(i, cell): getattr(row, cell) for i, row in enumerate(table.rows) for cell in cells}

@@ -9,6 +9,7 @@ idle_rows        fixed rows of zeros, which are left out
 coarse           is it right, but rounded too much?
 findings         what is said, by level of help
 facts, score     which facts of the robot are right, and what they earn
+axis_directions  which way its axes point
 alignments       which links and joints of an answer are compared with which of the key
 standard         what they are worth
 across_prismatic   which facts go together

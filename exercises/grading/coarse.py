@@ -5,17 +5,19 @@ from dataclasses import replace
 
 import numpy as np
 
+from exercises.grading.axis_directions import fixed_ends
 from exercises.grading.edits.work import WORK_OF_ONE_EDIT, Work
-from exercises.grading.facts import Facts, fixed_ends
+from exercises.grading.facts import Facts
 from exercises.grading.judging.digits import SECOND_ORDER, explained_by_digits
 from exercises.grading.judging.judgement import share_of
-from exercises.grading.judging.typed import ANGLES, Place, says_enough
+from exercises.grading.judging.typed import Place, says_enough
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import Tolerance
 from kinematics.equivalence.decision import is_certified
 from kinematics.equivalence.invariants import axes_of
 from kinematics.equivalence.meter import Meter
 from kinematics.equivalence.search import Effort
+from kinematics.table import ANGLES
 
 
 def is_rounded_too_much(work: Work) -> bool:

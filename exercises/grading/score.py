@@ -10,7 +10,7 @@ from exercises.grading.edits.misconceptions import CATALOGUE
 from exercises.grading.edits.repairs import Repaired
 from exercises.grading.edits.table_edits import hides_an_entry
 from exercises.grading.edits.work import WORK_OF_ONE_EDIT, Work
-from exercises.grading.facts import Floats, Weights
+from exercises.grading.facts import Weights
 from exercises.grading.judging.judgement import lacks_precision
 from exercises.grading.judging.typed import SAME
 from exercises.grading.standard import (
@@ -29,7 +29,7 @@ from kinematics.equivalence.decision import convention_fits, is_certified
 from kinematics.equivalence.meter import Meter
 from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.search import Effort
-from kinematics.se3 import angle_between
+from kinematics.se3 import Floats, angle_between
 from kinematics.table import CELLS, Convention, JointType, NumericTable
 
 HIGHEST_PARTIAL = 0.95

@@ -8,10 +8,11 @@ from typing import NamedTuple
 import numpy as np
 
 from exercises.grading.across_prismatic import across_prismatic
+from exercises.grading.axis_directions import fixed_ends
 from exercises.grading.edits.changes import Change
 from exercises.grading.edits.joint_places import from_both_ends
 from exercises.grading.edits.work import Work
-from exercises.grading.facts import Facts, Weights, fixed_ends
+from exercises.grading.facts import Facts, Weights
 from exercises.grading.judging.digits import fixing_frames, measured_as_typed, tightened
 from exercises.grading.judging.typed import NOTHING_TYPED
 from kinematics.caching import USUAL_ROWS, cached_by_size

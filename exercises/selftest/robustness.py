@@ -11,7 +11,6 @@ from exercises.answers import RawAnswer
 from exercises.definition import Exercise
 from exercises.errors import AnswerError
 from exercises.grading import BaseRule, DirectionRule, Policy, ToolRule, Verdict, ZeroRule
-from exercises.grading.judging.typed import ANGLES
 from exercises.instance import Instance, generate
 from exercises.parts.protocol import TABLE
 from exercises.selftest.answers import judged_answer, other_frames
@@ -22,7 +21,7 @@ from exercises.written_table import written_table
 from kinematics.cells import AngleUnit, RawTable, ReadTable, parameters_in_radians
 from kinematics.errors import KinematicsError
 from kinematics.expressions import Expression, Number, evaluate, pi_fraction, pi_times
-from kinematics.table import CELLS, DHRow, DHTable, SymbolicRow
+from kinematics.table import ANGLES, CELLS, DHRow, DHTable, SymbolicRow
 
 DIGITS = 4  # Significant digits to which students round on paper.
 

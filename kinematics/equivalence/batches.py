@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from kinematics.angles import cos_sin
 from kinematics.chain import Axis
 from kinematics.equivalence.policy import BaseRule, Policy, ToolRule
-from kinematics.table import Convention, NumericTable
+from kinematics.table import LENGTHS, Convention, NumericTable
 
 Floats = NDArray[np.float64]
 Numbers = NDArray[np.complex128]
@@ -30,7 +30,6 @@ Variation = tuple[int, Sequence[CellChange]]
 _PLACE = {"alpha": 0, "a": 1, "theta": 2, "d": 3}
 _NUMBERS = len(_PLACE)
 _PLACE_LOWER = {**_PLACE, **{cell: _PLACE[cell] + _NUMBERS for cell in ("alpha", "a")}}
-_LENGTHS = ("a", "d")
 _NOTHING: tuple[complex, ...] = (1.0, 0.0, 1.0, 0.0)
 
 
@@ -104,7 +103,7 @@ def cells_of_tables(tables: Sequence[NumericTable], variations: Sequence[Variati
         for i, cell, value in changes
     ]
     if changes:
-        values = [value if cell in _LENGTHS else _turn(value) for _, cell, value in changes]
+        values = [value if cell in LENGTHS else _turn(value) for _, cell, value in changes]
         cells.put([place for place, _, _ in changes], values)
     return cells
 

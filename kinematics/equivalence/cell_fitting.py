@@ -23,21 +23,17 @@ from kinematics.equivalence.refinement import FREE_TWISTS, Model, RefinementProb
 from kinematics.equivalence.search import forced_path
 from kinematics.equivalence.verification import joint_values
 from kinematics.se3 import Transform, cross_arrays
-from kinematics.table import Convention, DHTable, NumericTable
+from kinematics.table import ANGLES, Convention, DHTable, NumericTable
 
 Place: TypeAlias = tuple[int, str]  # A row, counted from 0, and the name of a cell.
 
-# Gauss–Newton doubles the digits every round; what has not settled after ten does not.
-ROUNDS = 10
-# A step below this [rad, or the robot’s size] changes nothing any more.
-SETTLED = 1e-6
-# In units of the tolerance: half is left for what the certificate does besides.
-CLOSE_ENOUGH = 0.5
-# A round that takes less than a fifth off the mean square leads nowhere.
-WORTHWHILE = 0.8
-# Four configurations of six equations each are enough for a cell, δ, B and E of six joints; six times that.
+ROUNDS = 10  # Gauss–Newton doubles the digits every round; what has not settled after ten does not.
+SETTLED = 1e-6  # A step below this [rad, or the robot’s size] changes nothing any more.
+CLOSE_ENOUGH = 0.5  # In units of the tolerance: half is left for what the certificate does besides.
+WORTHWHILE = 0.8  # A round that takes less than a fifth off the mean square leads nowhere.
 FEWER_SAMPLES = 24
-ANGLES = ("alpha", "theta")
+"""Four configurations of six equations each are enough for a cell, δ, B and E of six joints; six times
+that."""
 
 
 def fitted_cells(

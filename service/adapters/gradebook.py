@@ -82,7 +82,7 @@ def safe(text: str) -> str:
     return _FORMULA.sub("'", text)
 
 
-def _write_canvas(marks: Iterable[Mark], writer: csv._writer) -> None:  # type: ignore[name-defined]
+def _write_canvas(marks: Iterable[Mark], writer: "csv._writer") -> None:  # type: ignore[name-defined]
     """Canvas wants one column for an assignment and a second row with what it is worth."""
     marks = list(marks)
     exercises: dict[str, float | None] = {}

@@ -11,7 +11,7 @@ from typing import Any, TypeAlias
 from unicodedata import normalize
 
 from kinematics.errors import Fault
-from kinematics.table import CELLS
+from kinematics.table import ANGLES, CELLS
 from service.adapters.workbooks import UnreadableError, sheets_of
 from service.http.decoding import JsonLimits, decode_json
 from service.http.problems import RequestError, ServiceError
@@ -280,7 +280,7 @@ def _head_of(settings: TableSettings, header: Sequence[str]) -> dict[str, str]:
         column = _column(title)
         if found:
             unit = _UNITS.get(found[1], found[1])
-            head["angle_unit" if column in ("theta", "alpha") else "length_unit"] = unit
+            head["angle_unit" if column in ANGLES else "length_unit"] = unit
         if column in ("a", "alpha") and re.search(r"i\s*-\s*1", _plain(title)):
             head["convention"] = "modified"
     return head

@@ -5,11 +5,12 @@ wanted_changes  what of it is tried
 cell_edits, row_edits, table_edits  the ways to undo it
 throughout     units and digits, seen beside whatever else is wrong
 changes        an edit: where, how much, and the table that it leads to
-work           what an edit is tried on
+work, scope    what an edit is tried on, and what it has to do with
+other_draws    the same edit at another draw of the parameters
 fitting, joint_places  values and places that fit
 last_row       the row that leads to the frame which is asked for
 sieve          edits that are seen to fail, without measuring
-trials         all edits at once
+trials, misfits  all edits at once, and what of the key each leaves missing
 certainty      edits that are seen to mend the table, without a search
 repairs        the smallest edits that mend the table
 accused        which of them explain an answer: the likeliest, and what is as good

@@ -8,8 +8,7 @@ from typing import NamedTuple
 from exercises.grading.edits.changes import Change, Extent
 from exercises.grading.edits.own_table import is_length_of, is_own_table
 from exercises.grading.edits.repairs import Repaired
-from exercises.grading.edits.work import LENGTHS
-from kinematics.table import NumericTable
+from kinematics.table import LENGTHS, NumericTable
 
 
 def own_table_first(

@@ -13,7 +13,7 @@ from exercises.grading.judging.typed import SAME, meant_in_radians
 from kinematics.cells import AngleUnit
 from kinematics.equivalence import BaseRule, DirectionRule, Policy, ToolRule, ZeroRule
 from kinematics.expressions import Number, Parameter, Product
-from kinematics.table import VARIABLE_CELLS, JointType
+from kinematics.table import ANGLES, LENGTHS, VARIABLE_CELLS, JointType
 
 RIGHT_ANGLES = (0.0, math.pi / 2, -math.pi / 2, math.pi)
 # Parts of the robot's size: a length beyond them may stand in another unit; what comes of that is judged.
@@ -152,7 +152,7 @@ def _fitted_lengths(work: Work, cell: str) -> Iterator[Change]:
 def length_in_other_unit(work: Work) -> Iterator[Change]:
     """Read one length in millimetres or centimetres where metres are declared, or the reverse."""
     for i, row in work.rows_of_lengths:
-        for cell in ("a", "d"):
+        for cell in LENGTHS:
             if not getattr(row, cell) or (cell == "d" and row.joint is JointType.PRISMATIC):
                 continue
             here, size = abs(getattr(row, cell)), work.reference.size
@@ -177,8 +177,8 @@ def any_cell(work: Work, choice: int) -> Iterator[Change]:
     if work.only is not None and work.only.code is not None:
         return
     for i, row in work.rows:
-        cells = ["alpha"] if work.angular else ["a", "alpha"]
-        if row.joint is not JointType.PRISMATIC and not work.angular:
+        cells = ["alpha"] if work.scope.angular else ["a", "alpha"]
+        if row.joint is not JointType.PRISMATIC and not work.scope.angular:
             cells.append("d")
         if row.joint is not JointType.REVOLUTE:
             cells.append("theta")
@@ -188,7 +188,7 @@ def any_cell(work: Work, choice: int) -> Iterator[Change]:
             table = fitted_table(work, work.table, ((i, cell),), choice)
             if table is not None:
                 value = getattr(table.rows[i], cell)
-                code = f"{cell}_value" if cell in ("alpha", "theta") else _story(work, i, cell, value)
+                code = f"{cell}_value" if cell in ANGLES else _story(work, i, cell, value)
                 yield _set(code, i, cell, value)
 
 

@@ -12,9 +12,9 @@ from math import sin
 
 import numpy as np
 
+from exercises.grading.axis_directions import least_cost
 from exercises.grading.edits.changes import Change
 from exercises.grading.edits.work import Work
-from exercises.grading.facts import Floats, least_cost
 from kinematics.caching import USUAL_ROWS, cached_by_size
 from kinematics.equivalence import BaseRule, DirectionRule, Policy, ToolRule, ZeroRule
 from kinematics.equivalence.decision import EXACT, convention_fits
@@ -22,7 +22,7 @@ from kinematics.equivalence.invariants import STEEPEST, Invariants, invariants_o
 from kinematics.equivalence.meter import per_batch
 from kinematics.equivalence.reference import Reference
 from kinematics.equivalence.row_measures import EXACTLY, measured_of_tables
-from kinematics.se3 import cross, norm
+from kinematics.se3 import Floats, cross, norm
 from kinematics.table import Convention, NumericTable
 
 # A share of what `EXACT` allows, by the square of the number of joints: angles add up from joint to joint,

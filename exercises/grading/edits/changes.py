@@ -11,7 +11,7 @@ from typing import NamedTuple
 from exercises.grading.judging.typed import SAME, Place
 from exercises.grading.verdict import Edit, ParamValue
 from kinematics.equivalence.batches import CellChange
-from kinematics.table import DHRow, DHTable, JointType, NumericRow, NumericTable
+from kinematics.table import LENGTHS, DHRow, DHTable, JointType, NumericRow, NumericTable
 
 _OF_JOINTS = frozenset({"row_missing", "row_extra", "joint_fixed", "joint_moving", "joint_type"})
 ROW_CELLS = ("alpha", "a", "d", "joint")
@@ -102,7 +102,7 @@ class Change(NamedTuple):
 
     def fills_a_zero(self, table: NumericTable) -> bool:
         """Return whether it puts a length where none was typed; a typed one is likelier wrong."""
-        if self.extent is not Extent.CELL or self.row is None or self.cell not in ("a", "d"):
+        if self.extent is not Extent.CELL or self.row is None or self.cell not in LENGTHS:
             return False
         return self.row < len(table.rows) and getattr(table.rows[self.row], self.cell) == 0.0
 

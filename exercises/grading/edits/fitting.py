@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exercises.grading.edits.work import Work
-from exercises.grading.judging.typed import ANGLES, SAME, Place
+from exercises.grading.judging.typed import SAME, Place
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import Policy
 from kinematics.equivalence.batches import CellChange, Variation
@@ -28,7 +28,7 @@ from kinematics.equivalence.meter import PER_ALIGNMENT, per_batch
 from kinematics.equivalence.reference import Reference
 from kinematics.equivalence.row_measures import measured_of_tables
 from kinematics.se3 import cross, dot, subtract
-from kinematics.table import VARIABLE_CELLS, NumericTable
+from kinematics.table import ANGLES, VARIABLE_CELLS, NumericTable
 
 # A cell that changes an invariant by a smaller share has nothing to do with it.
 INFLUENCE = 1e-6

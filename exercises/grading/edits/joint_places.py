@@ -6,7 +6,8 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from exercises.grading.edits.work import FAR, Work
+from exercises.grading.edits.scope import FAR
+from exercises.grading.edits.work import Work
 from kinematics.equivalence import Policy
 from kinematics.equivalence.batches import AxisBatch, axes_of_tables
 from kinematics.equivalence.measures import Shape, measured

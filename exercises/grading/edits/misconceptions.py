@@ -49,10 +49,10 @@ from exercises.grading.edits.table_edits import (
     twists_a_row_late,
 )
 from exercises.grading.edits.work import EXCHANGED, Work
-from exercises.grading.judging.typed import ANGLES
+from kinematics.table import ANGLES, LENGTHS
 
 ALL, NONE = frozenset({"alpha", "a", "d"}), frozenset[str]()
-TWISTS, ALONG_X, LENGTHS = frozenset({"alpha"}), frozenset({"alpha", "a"}), frozenset({"a", "d"})
+TWISTS, ALONG_X, SIZES = frozenset({"alpha"}), frozenset({"alpha", "a"}), frozenset(LENGTHS)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -115,7 +115,7 @@ CATALOGUE: tuple[Misconception, ...] = (
         changes=all_in_other_length_unit,
         hint="lengths_throughout",
         beforehand=True,
-        sizes=LENGTHS,
+        sizes=SIZES,
     ),
     Misconception(
         code="columns_late",
@@ -175,7 +175,7 @@ CATALOGUE: tuple[Misconception, ...] = (
         hint="names_throughout",
         beforehand=True,
     ),
-    Misconception(code="cell_length_unit", changes=length_in_other_unit, cells=("a", "d"), sizes=LENGTHS),
+    Misconception(code="cell_length_unit", changes=length_in_other_unit, cells=LENGTHS, sizes=SIZES),
     Misconception(
         code="a_value", changes=length_value, cells=("a",), told_as=LENGTH_STORIES, sizes=frozenset({"a"})
     ),

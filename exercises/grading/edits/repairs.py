@@ -14,6 +14,7 @@ from exercises.grading.edits.changes import Change, Extent, after
 from exercises.grading.edits.fitting import MOST_SIGNS
 from exercises.grading.edits.misconceptions import RANKS
 from exercises.grading.edits.row_edits import any_row_left_out, joint_left_out, row_left_out
+from exercises.grading.edits.scope import ANY_EDIT
 from exercises.grading.edits.sieve import Sieve
 from exercises.grading.edits.table_edits import other_convention
 from exercises.grading.edits.trials import (
@@ -26,7 +27,7 @@ from exercises.grading.edits.trials import (
     tried_unchanged,
 )
 from exercises.grading.edits.wanted_changes import changes_beforehand, changes_of
-from exercises.grading.edits.work import ANYTHING, EVERYWHERE, Work
+from exercises.grading.edits.work import Work
 from kinematics.equivalence.meter import WorkExhaustedError
 from kinematics.equivalence.search import Effort
 from kinematics.table import NumericTable
@@ -140,12 +141,12 @@ def _seen_from_here(work: Work) -> tuple[Trial | None, Work]:
     here = tried_unchanged(work)
     if here is None:
         return None, work
-    return here, replace(work, reach=here.reach, angular=here.angular, off=here.off)
+    return here, replace(work, scope=here.scope)
 
 
 def _says_little(work: Work, here: Trial | None) -> bool:
     """Whether a wrong cell may show in no single invariant: beside prismatic joints, and at fixed ends."""
-    if here is not None and not here.meets:
+    if here is not None and not here.scope.meet:
         return False
     prismatic = any(axis.prismatic for axis in work.reference.chain.axes)
     return prismatic or (here is not None and here.failing == here.misplaced == 0)
@@ -156,7 +157,7 @@ def _fitted(work: Work) -> Iterator[Change]:
     made: list[Change] = []
     with work.meter.at_most(WORK_OF_FITTING):
         work = Sieve(work).narrowed()
-        work = replace(work, reach=finishing_reaches([work])[0])
+        work = work.within(finishing_reaches([work])[0])
         places = frozenset(trial.change.row for trial in tried(work, row_left_out))
         for choice in range(MOST_SIGNS):
             made += any_cell(work, choice)
@@ -250,10 +251,10 @@ def _pairs_to_try(work: Work, first: Sequence[Trial]) -> Iterator[tuple[Work, tu
 def _halves(work: Work, trials: Iterable[Trial], *, keeping: bool = False) -> list[Work]:
     """The table with each of some edits made; what one has changed is kept, unless that was all there is."""
     halves = []
-    for change, _, _, reach, angular, off in trials:
+    for change, _, _, scope in trials:
         keeps = keeping and not (change.row is None and work.excess)
         kept = frozenset(change.places if keeps else ())
-        halves.append(work.edited(change, reach, angular=angular, off=off, kept=kept))
+        halves.append(work.edited(change, scope, kept))
     return halves
 
 
@@ -261,7 +262,7 @@ def _nearer(work: Work, here: Trial | None, catalogue: Catalogue = changes_of) -
     """The edits of a catalogue that bring the table nearer to the key, so that one more may mend it."""
     most = None if here is None else max(here.failing - 1, 0)
     made = tried(work, catalogue, most_failing=most)
-    first = [trial for trial in made if trial.meets and _is_nearer(trial, here)]
+    first = [trial for trial in made if trial.scope.meet and _is_nearer(trial, here)]
     first.sort(key=lambda trial: (trial.failing, trial.misplaced, RANKS[trial.change.code]))
     return first[:MOST_FIRST_EDITS]
 
@@ -275,4 +276,4 @@ def _is_nearer(trial: Trial, before: Trial | None) -> bool:
 def _beforehand(work: Work) -> list[Trial]:
     """The edits after which one that mends the count of the joints might finish; they cannot be tried."""
     changes = islice(changes_beforehand(work), MOST_BEFOREHAND)
-    return [Trial(change, 0, 0, reach=EVERYWHERE, angular=False, off=ANYTHING) for change in changes]
+    return [Trial(change, 0, 0, ANY_EDIT) for change in changes]

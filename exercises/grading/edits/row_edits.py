@@ -63,10 +63,10 @@ def joint_left_out(work: Work) -> Iterator[Change]:
     before = 0
     for i, row in enumerate(work.table.rows if work.excess else ()):
         before += row.joint is not JointType.FIXED
-        if row.joint is JointType.FIXED and work.excess < 0 and work.is_place(before + 1):
+        if row.joint is JointType.FIXED and work.excess < 0 and work.scope.is_place(before + 1):
             for joint in sorted(set(work.reference.table.joint_types)):
                 yield _of_type(work, "joint_fixed", i, joint)
-        elif row.joint is not JointType.FIXED and work.excess > 0 and work.is_place(before):
+        elif row.joint is not JointType.FIXED and work.excess > 0 and work.scope.is_place(before):
             yield _of_type(work, "joint_moving", i, JointType.FIXED)
 
 
@@ -105,7 +105,7 @@ def rows_swapped(work: Work) -> Iterator[Change]:
                 continue
         cells: list[CellChange] = []
         table = None
-        if not differ and work.is_left_wrong(_both(i, j), _exchanged(rows, i, j)):
+        if not differ and work.scope.is_left_wrong(_both(i, j), _exchanged(rows, i, j)):
             continue
         if differ:
             order = list(rows)
@@ -189,7 +189,7 @@ def _places(work: Work) -> Iterator[tuple[int, JointType]]:
         return
     for place in range(len(work.table.rows) + 1):
         before = sum(index < place for index in work.table.joint_rows)
-        if work.is_place(before + 1) and (*given[:before], wanted[before], *given[before:]) == wanted:
+        if work.scope.is_place(before + 1) and (*given[:before], wanted[before], *given[before:]) == wanted:
             yield place, wanted[before]
 
 

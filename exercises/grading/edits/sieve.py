@@ -15,6 +15,7 @@ from functools import lru_cache
 from typing import NamedTuple, TypeAlias
 
 from exercises.grading.edits.changes import Change
+from exercises.grading.edits.scope import EditScope
 from exercises.grading.edits.work import Work
 from exercises.grading.judging.typed import SAME, Place
 from kinematics.caching import USUAL_ROWS, cached_by_size
@@ -164,7 +165,7 @@ class Sieve:
         return facts.leave_wrong(change, rows, self._wrong_in[id(table)][0], self._most)
 
     def _leaves_wrong(self, places: Collection[Place], becomes: Callable[[int, str], float]) -> bool:
-        """Whether the first of what is wrong is left so; see `Work`."""
+        """Whether the first of what is wrong is left so; see `EditScope`."""
         fact = self.wrong[0]
         changed = {place: becomes(*place) for place in fact.places if place in places}
         return not changed or fact.is_wrong(self._entries.bounds, self._rows, changed)
@@ -175,20 +176,20 @@ class Sieve:
             return self._work
         start = min(self._work.joints_up_to[fact.rows[0]] for fact in self.wrong)
         end = max(self._work.joints_up_to[fact.rows[-1]] for fact in self.wrong)
-        return replace(self._work, reach=(start, end))
+        return self._work.within((start, end))
 
     def narrowed(self) -> Work:
         """The table and what an edit has to do with that mends all that is seen to be wrong."""
         if not self.wrong:
             return self._work
-        start, end = self._work.reach
+        start, end = self._work.scope.reach
         for fact in self.wrong:
             start = max(start, self._work.joints_up_to[fact.rows[0]])
             end = min(end, self._work.joints_up_to[fact.rows[-1]])
         lacking = frozenset(fact.column for fact in self.wrong if len(fact.rows) == 1)
-        angular = self._work.angular or "alpha" in lacking
-        leaves = self._leaves_wrong
-        return replace(self._work, reach=(start, end), angular=angular, lacking=lacking, is_left_wrong=leaves)
+        angular = self._work.scope.angular or "alpha" in lacking
+        known = EditScope((start, end), angular, self._work.scope.off, lacking, self._leaves_wrong)
+        return replace(self._work, scope=known)
 
 
 @cached_by_size(

@@ -11,13 +11,13 @@ from itertools import combinations
 from operator import neg
 
 from exercises.grading.edits.changes import Change, Extent, with_rows
-from exercises.grading.edits.work import LENGTHS, Work
-from exercises.grading.judging.typed import ANGLES, SAME, Place, meant_in_radians
+from exercises.grading.edits.work import Work
+from exercises.grading.judging.typed import SAME, Place, meant_in_radians
 from kinematics.cells import AngleUnit
 from kinematics.equivalence import DirectionRule
 from kinematics.errors import ParameterError
 from kinematics.expressions import Expression, evaluate
-from kinematics.table import Convention, DHTable, JointType, NumericRow
+from kinematics.table import ANGLES, LENGTHS, Convention, DHTable, JointType, NumericRow
 
 ALONG_X = ("alpha", "a")
 LATE, EARLY = {"columns_late", "twists_late"}, {"columns_early", "twists_early"}
@@ -55,7 +55,7 @@ def _throughout(
     **params: str,
 ) -> Iterator[Change]:
     """One change of some columns; none if no cell is other than it was, or it is seen not to mend all."""
-    if work.is_left_wrong(places, becomes):
+    if work.scope.is_left_wrong(places, becomes):
         return
     rows = work.table.rows
     cells = tuple((i, name, now) for i, name in places if (now := becomes(i, name)) != getattr(rows[i], name))
@@ -104,7 +104,7 @@ def all_in_radians(work: Work) -> Iterator[Change]:
 
 def all_in_other_length_unit(work: Work) -> Iterator[Change]:
     """Read all lengths in millimetres where metres are declared, and the like."""
-    if work.angular:
+    if work.scope.angular:
         return
     extent = sum(abs(row.a) + abs(row.d) for row in work.table.rows)
     for ratio in LENGTH_RATIOS:
@@ -226,7 +226,7 @@ def _in_order(work: Work, code: str, belongs: dict[str, str], **params: str) -> 
     A number keeps what was typed: 90 under a, in a table in degrees, was a right angle. A name is what it is
     under every column.
     """
-    if (work.angular and set(belongs) == set(LENGTHS)) or not work.lacking <= belongs.keys():
+    if (work.scope.angular and set(belongs) == set(LENGTHS)) or not work.scope.lacking <= belongs.keys():
         return
     if not work.leaves(tuple(belongs), prismatic="d" not in belongs):
         return

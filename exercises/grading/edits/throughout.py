@@ -13,18 +13,19 @@ from typing import NamedTuple
 
 import numpy as np
 
+from exercises.grading.axis_directions import fixed_ends
 from exercises.grading.edits.changes import Change, Extent
 from exercises.grading.edits.own_table import is_length_of
 from exercises.grading.edits.table_edits import all_in_degrees, all_in_other_length_unit, all_in_radians
-from exercises.grading.edits.work import LENGTHS, Work
-from exercises.grading.facts import Facts, fixed_ends
+from exercises.grading.edits.work import Work
+from exercises.grading.facts import Facts
 from exercises.grading.judging.comparison import Comparison
 from exercises.grading.judging.digits import PER_CENT
 from exercises.grading.judging.judgement import share_of
 from exercises.grading.judging.typed import SAME, says_enough
 from kinematics.chain import chain_of_table
 from kinematics.equivalence.invariants import axes_of
-from kinematics.table import NumericTable
+from kinematics.table import LENGTHS, NumericTable
 
 ROUNDED = "lengths_rounded"
 LEAST = 2

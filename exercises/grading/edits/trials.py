@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
-from functools import cached_property
 from math import cos, sin
 from typing import NamedTuple, TypeAlias
 
@@ -11,20 +10,18 @@ from numpy.typing import NDArray
 
 from exercises.grading.edits.certainty import surely_right
 from exercises.grading.edits.changes import Change, Extent
-from exercises.grading.edits.fitting import OFF, Unsolved, fitting_values, measured
+from exercises.grading.edits.fitting import Unsolved, fitting_values, measured
 from exercises.grading.edits.joint_places import joint_places
+from exercises.grading.edits.misfits import Misfits
+from exercises.grading.edits.scope import EVERYWHERE, EditScope
 from exercises.grading.edits.sieve import Sieve
 from exercises.grading.edits.wanted_changes import changes_of
-from exercises.grading.edits.work import EVERYWHERE, FAR, Off, Work
-from exercises.grading.facts import fixed_ends, fixed_signs, least_cost
+from exercises.grading.edits.work import Work
 from exercises.grading.judging.digits import measured_as_typed
-from exercises.grading.judging.typed import ANGLES
-from kinematics.equivalence import DirectionRule, ZeroRule
+from kinematics.equivalence import ZeroRule
 from kinematics.equivalence.batches import Variation
-from kinematics.table import VARIABLE_CELLS, NumericTable
+from kinematics.table import ANGLES, LENGTHS, VARIABLE_CELLS, NumericTable
 
-REACH_OF_A_ROW = 1
-"""Two rows exchanged, the widest of the edits in a row, change the links before, between and after them."""
 DIGITS = 9
 """Lengths that agree so far are the same solution."""
 DIGITS_OF_ANGLES = 7
@@ -33,30 +30,12 @@ Catalogue: TypeAlias = Callable[[Work], Iterator[Change]]
 
 
 class Trial(NamedTuple):
-    """A change, and what of the key the table it leads to does not have.
-
-    Attributes:
-        change: the change.
-        failing: how many facts still fail, whichever way the axes point.
-        misplaced: how many others fail: signs, where the directions of the variables are fixed, and what lies
-            between axes that are no neighbours, where their zeros are.
-        reach: what an edit must have to do with that mends all facts that fail, or, if none does, all that
-            is misplaced: joints from … to.
-        angular: an angle is among them, so that lengths alone do not mend them.
-        off: what is off at all; see `Work`.
-    """
+    """A change, and what of the key the table it leads to does not have; see `Misfit`."""
 
     change: Change
     failing: int
     misplaced: int
-    reach: tuple[int, int]
-    angular: bool
-    off: Off
-
-    @property
-    def meets(self) -> bool:
-        """Whether all that fail meet at one place of the chain, so that one edit more might mend them."""
-        return self.reach[0] - self.reach[1] <= -REACH_OF_A_ROW
+    scope: EditScope
 
 
 class Finish(NamedTuple):
@@ -116,7 +95,7 @@ def tried(work: Work, catalogue: Catalogue = changes_of, *, most_failing: int | 
     """
     sieves = [] if most_failing is None else [Sieve(work, most_failing)]
     works = [sieve.concerned() for sieve in sieves] or [work]
-    batches = _batches(works, catalogue, [works[0].reach], sieves, finishing=False)
+    batches = _batches(works, catalogue, [works[0].scope.reach], sieves, finishing=False)
     return [
         Trial(change, *misfit)
         for batch in batches
@@ -138,7 +117,7 @@ def _batches(
         (number, change)
         for number, (work, (start, end)) in enumerate(zip(works, reaches, strict=True))
         if start <= end or not work.excess  # nowhere else is there a joint to put in or take out
-        for change in _wanted(replace(work, fits=fits[number], reach=(start, end)), catalogue)
+        for change in _wanted(replace(work.within((start, end)), fits=fits[number]), catalogue)
     ]
     while made:
         if sieves:
@@ -168,7 +147,7 @@ def tried_unchanged(work: Work) -> Trial | None:
         return None
     invariants = work.invariants
     found = measured_as_typed(invariants, work.table, work.comparison.steps, work.fixing)[:, :1]
-    (misfit,) = _Misfits(work, found).told
+    (misfit,) = Misfits(work, found).told
     return Trial(UNCHANGED, *misfit)
 
 
@@ -178,7 +157,7 @@ def _fits(works: Sequence[Work]) -> list[dict[tuple[int, str], list[float]]]:
     wanted: list[Unsolved] = []
     for number, work in enumerate(works):
         places = []
-        angles, lengths, misplaced = work.off
+        angles, lengths, misplaced = work.scope.off
         for row, cell in _cells(work) if work.has_the_joints() else ():
             moves = cell == VARIABLE_CELLS.get(work.table.rows[row].joint)
             of_facts = angles if cell in ANGLES else lengths
@@ -197,9 +176,9 @@ def _fits(works: Sequence[Work]) -> list[dict[tuple[int, str], list[float]]]:
 
 def finishing_reaches(works: Sequence[Work]) -> list[tuple[int, int]]:
     """Return what an edit has to do with in each table, so that it may make it the robot."""
-    found = [work.reach for work in works]
+    found = [work.scope.reach for work in works]
     for excess in (-1, 1):
-        off = [k for k, work in enumerate(works) if work.excess == excess and work.reach is EVERYWHERE]
+        off = [k for k, work in enumerate(works) if work.excess == excess and work.scope.reach is EVERYWHERE]
         if off:
             for k, places in zip(off, joint_places([works[k] for k in off]), strict=True):
                 found[k] = places
@@ -208,12 +187,12 @@ def finishing_reaches(works: Sequence[Work]) -> list[tuple[int, int]]:
 
 def _cells(work: Work) -> list[tuple[int, str]]:
     """The cells that are no variable's, may mend all that fails, and are not kept as they are."""
-    if (work.only is not None and work.only.code is not None) or len(work.lacking) > 1:
+    if (work.only is not None and work.only.code is not None) or len(work.scope.lacking) > 1:
         return []
     return [
         (i, cell)
         for i, row in work.rows
-        for cell in work.lacking or (ANGLES if work.angular else ("a", "d", *ANGLES))
+        for cell in work.scope.lacking or (ANGLES if work.scope.angular else (*LENGTHS, *ANGLES))
         if (work.only is None or cell == work.only.cell)
         and (i, cell) not in work.kept
         and (work.policy.zero is ZeroRule.FIGURE or cell != VARIABLE_CELLS.get(row.joint))
@@ -242,14 +221,14 @@ class _Batch:
                 numbers[id(table)] = len(self._tables)
                 self._tables.append(table)
             self._variations.append((numbers[id(table)], change.cells))
-        self.misfits = _Misfits(works[0], measured(works[0], self._tables, self._variations))
+        self.misfits = Misfits(works[0], measured(works[0], self._tables, self._variations))
 
     def _fits_elsewhere(self, k: int, change: Change) -> bool:
         """Whether everything fits that has nothing to do with the row put in and its neighbours."""
         assert change.row is not None
-        failing, _, (start, end), _, _ = self.misfits.told[k]
+        failing, _, scope = self.misfits.told[k]
         joint = self._tables[self._variations[k][0]].joint_rows.index(change.row) + 1
-        return not failing or start <= joint <= end
+        return not failing or scope.is_place(joint)
 
     def solved(self, *, finishing: bool) -> list[tuple[int, Change]]:
         """Return the changes that put a value that fits in one more of their unsolved cells; each table once.
@@ -264,7 +243,7 @@ class _Batch:
                 continue
             if finishing and change.code == "row_missing" and not self._fits_elsewhere(k, change):
                 continue
-            angles_first = finishing and self.misfits.told[k].angular
+            angles_first = finishing and self.misfits.told[k].scope.angular
             cells = [cell for cell in change.unsolved if cell in ANGLES or not angles_first]
             if cells:
                 unsolved.append(k)
@@ -298,66 +277,3 @@ class _Batch:
             for place, value in values.items()
         )
         return number, id(change.table), frozenset(cells)
-
-
-class _Misfit(NamedTuple):
-    """What of the key one table does not have; see `Trial`."""
-
-    failing: int
-    misplaced: int
-    reach: tuple[int, int]
-    angular: bool
-    off: Off
-
-
-class _Misfits:
-    """What of the key tables do not have.
-
-    Attributes:
-        found: (q, k) their invariants, from which it is told.
-    """
-
-    def __init__(self, work: Work, found: NDArray[np.float64]) -> None:
-        self._invariants, self._facts, self.found = work.invariants, work.n_facts, found
-        self._axes = len(work.reference.chain.axes) + 2
-        self._fixed = fixed_ends(self._axes, work.policy)
-        self._strains = self._invariants.strains(found)
-        self._failing = self._strains > 1.0
-        self._counts = self._failing[: self._facts].sum(axis=0)
-        if work.policy.direction is DirectionRule.FIGURE:
-            self._fixed = (*self._fixed, *range(1, self._axes - 1))
-            pointing = fixed_signs(self._invariants.shapes, self._fixed)
-            self._failing[pointing] |= ~self._invariants.fits(found)[0][pointing]
-        self._misplaced = self._failing.sum(axis=0) - self._counts
-
-    def might_be_none(self) -> list[int]:
-        """The numbers of those of which nothing fails, and the axes can be turned so that the signs agree."""
-        which = np.flatnonzero((self._counts == 0) & (self._misplaced == 0))
-        if which.size:
-            fits = self._invariants.fits(self.found[:, which])
-            if not fits[0].all():
-                costs = (~fits).astype(float)
-                sums = least_cost(self._invariants.shapes, self._axes, costs, self._fixed)
-                which = which[sums == 0.0]
-        numbers: list[int] = which.tolist()
-        return numbers
-
-    @cached_property
-    def told(self) -> list[_Misfit]:
-        """What of the key each does not have."""
-        counts, failing, facts = self._counts, self._failing, self._facts
-        angular, strained = self._invariants.angular, self._strains > OFF
-        angles = angular[:facts]
-        kinds = (strained[:facts] & angles, strained[:facts] & ~angles, strained[facts:])
-        off = zip(*(some.any(axis=0).tolist() for some in kinds), strict=True)
-        if self._misplaced.any():
-            failing = failing & ((counts == 0) | (self._strains > 1.0))
-            failing[facts:, counts > 0] = False
-        first, last = self._invariants.spans
-        starts = np.where(failing, first, 0).max(axis=0, initial=0) - REACH_OF_A_ROW
-        ends = np.where(failing, last, FAR).min(axis=0, initial=FAR) + REACH_OF_A_ROW
-        reaches = zip(starts.tolist(), ends.tolist(), strict=True)
-        of_angles: list[bool] = np.asarray((failing & angular).any(axis=0)).tolist()
-        misplaced: list[int] = self._misplaced.tolist()
-        misfits = zip(counts.tolist(), misplaced, reaches, of_angles, off, strict=True)
-        return [_Misfit(*misfit) for misfit in misfits]

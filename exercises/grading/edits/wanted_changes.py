@@ -9,7 +9,7 @@ from exercises.grading.edits.work import Work
 
 def changes_of(work: Work) -> Iterator[Change]:
     """Every change of the catalogue with which a table may have the key's joints, and which is wanted."""
-    excess, only, lacking, others = work.excess, work.only, work.lacking, work.other_types
+    excess, only, lacking, others = work.excess, work.only, work.scope.lacking, work.other_types
     for misconception in CATALOGUE:
         if (
             (misconception.counts if excess else not others or 0 < misconception.types <= others)

@@ -1,15 +1,17 @@
 """A wrong answer under repair: the table on which edits are tried, and what they are tried against."""
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import accumulate
-from typing import TypeAlias
 
 import numpy as np
 
+from exercises.grading.axis_directions import fixed_ends
 from exercises.grading.edits.changes import ROW_CELLS, Change, TableSlip
-from exercises.grading.facts import Facts, Floats, fixed_ends
+from exercises.grading.edits.other_draws import alike_at
+from exercises.grading.edits.scope import ANY_EDIT, EditScope
+from exercises.grading.facts import Facts
 from exercises.grading.judging.comparison import Comparison
 from exercises.grading.judging.end_lines import (
     ends_beside_joints,
@@ -18,11 +20,10 @@ from exercises.grading.judging.end_lines import (
     lines_at_ends,
 )
 from exercises.grading.judging.judgement import share_of
-from exercises.grading.judging.typed import ANGLES, NOTHING_TYPED, SAME, Place
+from exercises.grading.judging.typed import NOTHING_TYPED, Place
 from kinematics.cells import ReadTable
 from kinematics.chain import Chain, chain_of_table
 from kinematics.equivalence import BaseRule, Kind, Policy, ToolRule, ZeroRule
-from kinematics.equivalence.batches import CellChange
 from kinematics.equivalence.decision import convention_fits, is_certified
 from kinematics.equivalence.invariants import Invariants, axes_of, invariants_of
 from kinematics.equivalence.meter import PER_ROW, Meter
@@ -32,22 +33,8 @@ from kinematics.table import JointType, NumericRow, NumericTable
 
 WORK_OF_ONE_EDIT = 30_000
 """What deciding whether one edit mends the table may cost: no single one uses up the search."""
-FAR = 10**6
-"""Behind the last axis of any chain."""
-EVERYWHERE = (0, FAR)
-LENGTHS = ("a", "d")
 EXCHANGED = 2
 """Joints of another type where rows of joints of both types were exchanged."""
-
-Draws: TypeAlias = tuple[NumericTable, NumericTable]
-"""A table at two draws."""
-Off: TypeAlias = tuple[bool, bool, bool]
-"""Whether angles are off, and lengths, that no choice of frames changes; and others, joints being zero."""
-ANYTHING: Off = (True, True, True)
-
-
-def _nothing_is_known(_: Collection[Place], __: Callable[[int, str], float]) -> bool:
-    return False
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -65,13 +52,7 @@ class Work:
         table: the answer at one draw, as it was meant, perhaps with an edit made already.
         draw: that draw.
         fits: for cells, other values that make an invariant fit which does not.
-        reach: what an edit has to do with, to mend all that is wrong: joints from … to, counted from 1; where
-            there is one too many or too few, the places of it.
-        angular: an angle is wrong that no choice of frames changes: lengths alone do not mend it.
-        lacking: columns in which an entry has a size that an edit must change, to mend all that is wrong.
-        is_left_wrong: whether an edit is seen not to mend all, by the places that it changes and what each
-            becomes.
-        off: what is off, if only by what need not be mended: other values of cells are found from that.
+        scope: what an edit has to do with, to mend all that is wrong.
         only: the one slip that is to be undone; any, if none is named.
         kept: places that an edit made before has changed, which another one leaves alone.
         lines: at which ends the key's line is looked for, where the rule `axis` would take the joint's, too.
@@ -87,11 +68,7 @@ class Work:
     table: NumericTable
     draw: int = 0
     fits: Mapping[Place, list[float]] = field(default_factory=dict)
-    reach: tuple[int, int] = EVERYWHERE
-    angular: bool = False
-    lacking: frozenset[str] = frozenset()
-    is_left_wrong: Callable[[Collection[Place], Callable[[int, str], float]], bool] = _nothing_is_known
-    off: Off = ANYTHING
+    scope: EditScope = ANY_EDIT
     only: TableSlip | None = None
     kept: frozenset[Place] = frozenset()
     lines: frozenset[Kind] = frozenset()
@@ -169,14 +146,9 @@ class Work:
             last: the last of them.
             moves: whether a joint goes elsewhere, so that what is before and behind the rows changes too.
         """
-        start, end = self.reach
+        start, end = self.scope.reach
         counts = self.joints_up_to
         return start <= counts[first if last is None else last] + moves and counts[first] - moves <= end
-
-    def is_place(self, joint: int) -> bool:
-        """Return whether the joint that is missing may have this place, counted from 1."""
-        start, end = self.reach
-        return start <= joint <= end
 
     @cached_property
     def joints_up_to(self) -> list[int]:
@@ -196,7 +168,7 @@ class Work:
     @property
     def rows_of_lengths(self) -> tuple[tuple[int, NumericRow], ...]:
         """The rows in which another length may mend all that is wrong."""
-        return () if self.angular else self.rows
+        return () if self.scope.angular else self.rows
 
     def has_the_joints(self, table: NumericTable | None = None) -> bool:
         """Return whether the table, or another, has the key's types of joints in order."""
@@ -234,28 +206,15 @@ class Work:
     def at(self, draw: int) -> "Work":
         """Return the answer at another draw."""
         table = self.comparison.meant[draw]
-        known: dict[str, object] = {
-            "reach": EVERYWHERE,
-            "angular": False,
-            "lacking": frozenset(),
-            "is_left_wrong": _nothing_is_known,
-            "off": ANYTHING,
-        }
-        return replace(self, draw=draw, table=table, fits={}, only=None, **known)  # type: ignore[arg-type]
+        return replace(self, draw=draw, table=table, fits={}, only=None, scope=ANY_EDIT)
 
-    def edited(
-        self,
-        change: Change,
-        reach: tuple[int, int],
-        *,
-        angular: bool,
-        off: Off,
-        kept: frozenset[Place],
-    ) -> "Work":
+    def within(self, reach: tuple[int, int]) -> "Work":
+        """Return the table as one that edits mend which have to do with joints from … to."""
+        return replace(self, scope=self.scope._replace(reach=reach))
+
+    def edited(self, change: Change, scope: EditScope, kept: frozenset[Place]) -> "Work":
         """Return the table with an edit made, and what another has to do with then."""
-        known: dict[str, object] = {"reach": reach, "angular": angular, "lacking": frozenset(), "off": off}
-        known["is_left_wrong"] = _nothing_is_known
-        return replace(self, table=change.of(self.table), fits={}, kept=kept, **known)  # type: ignore[arg-type]
+        return replace(self, table=change.of(self.table), fits={}, kept=kept, scope=scope)
 
     def leaves(self, columns: Sequence[str], *, prismatic: bool = True) -> bool:
         """Whether an edit of columns, perhaps but for prismatic joints, leaves earlier edits alone."""
@@ -292,7 +251,7 @@ class Work:
                 continue
             table, keys = self.comparison.meant[draw], (self.reference.table, self.references[draw].table)
             for change, mine in zip(changes, here, strict=False):
-                alike = _alike(change, (mine, table), keys)
+                alike = alike_at(change, (mine, table), keys)
                 if alike is None:
                     return None
                 table = alike.of(table)
@@ -338,48 +297,3 @@ class Work:
         self, reference: Reference, table: NumericTable, steps: Mapping[Place, float]
     ) -> tuple[Kind, ...]:
         return ends_beyond_digits(reference, table, steps, self.policy, share_of(self.comparison))
-
-
-def _alike(change: Change, own: Draws, keys: Draws) -> Change | None:
-    """A change of some cells as it is at another draw: what is an entry of the answer or the key stays that.
-
-    So does the sum of two lengths. Another angle is itself; of another length, None. `own` is the table that
-    it is made in.
-    """
-    if change.table is not None:
-        return None
-    cells: list[CellChange] = []
-    for row, cell, value in change.cells:
-        there = _elsewhere(value, own, keys, row, cell) if value else 0.0
-        if there is None and cell in LENGTHS:
-            return None
-        cells.append((row, cell, value if there is None else there))
-    return change._replace(cells=tuple(cells))
-
-
-def _elsewhere(value: float, own: Draws, keys: Draws, row: int, cell: str) -> float | None:
-    """What a new value of a cell is at the other draw; None if it is no entry of the answer or the key.
-
-    A length may be the sum or the difference of two as well: an offset that makes up for another.
-    """
-    kinds = LENGTHS if cell in LENGTHS else ANGLES
-    entries = [(getattr(own[0].rows[row], cell), getattr(own[1].rows[row], cell))]
-    entries += [
-        (getattr(mine, kind), getattr(its, kind))
-        for one, other in (keys, own)
-        for mine, its in zip(one.rows, other.rows, strict=True)
-        for kind in kinds
-    ]
-    known = np.array(list(dict.fromkeys(pair for pair in entries if pair[0]))).reshape(-1, 2)
-    there = _scaled(value, known)
-    if there is None and cell in LENGTHS:
-        first, second = np.triu_indices(len(known), 1)
-        there = _scaled(value, np.concatenate((known[first] + known[second], known[first] - known[second])))
-    return there
-
-
-def _scaled(value: float, pairs: Floats) -> float | None:
-    """Return the second of the first pair (k, 2) whose first one the value is, with the value's sign."""
-    sizes = np.abs(pairs[:, 0])
-    (found,) = np.nonzero((sizes > 0.0) & (np.abs(abs(value) - sizes) <= SAME * sizes))
-    return float(pairs[found[0], 1] * value / pairs[found[0], 0]) if found.size else None

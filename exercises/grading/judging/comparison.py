@@ -19,13 +19,13 @@ from exercises.grading.judging.name_values import (
     values_of,
     with_values,
 )
-from exercises.grading.judging.typed import ANGLES, Place, Typed, meant
+from exercises.grading.judging.typed import Place, Typed, meant
 from exercises.grading.judging.ways import ways_of
 from kinematics.caching import USUAL_ROWS, cached_by_size
 from kinematics.cells import AngleUnit, ReadTable, in_length_unit
 from kinematics.errors import Fault, ParameterError
 from kinematics.expressions import ZERO, Expression, parameters_in
-from kinematics.table import CELLS, Convention, DHTable, NumericTable, SymbolicTable, bind
+from kinematics.table import ANGLES, CELLS, Convention, DHTable, NumericTable, SymbolicTable, bind
 
 # Two unequal sums of names agree at a random draw with probability zero; three leave room for signs.
 DRAWS = 3

@@ -12,14 +12,14 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from exercises.grading.judging.typed import ANGLES, Place, says_enough
+from exercises.grading.judging.typed import Place, says_enough
 from kinematics.equivalence import BaseRule, Policy, Tolerance, ToolRule
 from kinematics.equivalence.batches import Variation
 from kinematics.equivalence.invariants import FLOOR, Invariants, invariants_of
 from kinematics.equivalence.measures import Shape
 from kinematics.equivalence.reference import Reference
 from kinematics.equivalence.row_measures import measured_of_tables
-from kinematics.table import NumericTable
+from kinematics.table import ANGLES, LENGTHS, NumericTable
 
 Floats = NDArray[np.float64]
 
@@ -177,8 +177,8 @@ def explained_by_digits(
 
 def _largest(invariants: Invariants, reference: Reference, steps: Mapping[Place, float]) -> Floats:
     """How far invariants may move at the most, whatever the table: angles at the longest of levers."""
-    lengths = sum(step for (_, cell), step in steps.items() if cell in ("a", "d"))
-    angles = sum(step for (_, cell), step in steps.items() if cell in ("alpha", "theta"))
+    lengths = sum(step for (_, cell), step in steps.items() if cell in LENGTHS)
+    angles = sum(step for (_, cell), step in steps.items() if cell in ANGLES)
     return np.array(
         [angles if shape.is_angle else lengths + angles * reference.size for shape in invariants.shapes]
     )

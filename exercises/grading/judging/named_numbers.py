@@ -6,10 +6,10 @@ from dataclasses import replace
 from itertools import islice, product
 
 from exercises.grading.judging.name_values import Values
-from exercises.grading.judging.typed import ANGLES, SAME, Place, half_steps
+from exercises.grading.judging.typed import SAME, Place, half_steps
 from kinematics.cells import ParameterKind, ReadTable
 from kinematics.expressions import Expression, Number, Parameter, negate, pi_fraction
-from kinematics.table import DHTable
+from kinematics.table import ANGLES, LENGTHS, DHTable
 
 MOST_NAMED = 16
 """Ways in which an answer is taken whose numbers are values of two names."""
@@ -56,7 +56,7 @@ def _names_meant(
     steps = half_steps(submission.table, submission.angle_unit, submission.last_places)
     found: dict[Place, list[tuple[str, Expression]]] = {}
     for i, row in enumerate(submission.table.rows):
-        for cell in ANGLES if kind is ParameterKind.ANGLE else ("a", "d"):
+        for cell in ANGLES if kind is ParameterKind.ANGLE else LENGTHS:
             here, step = _value(getattr(row, cell)), steps.get((i, cell), 0.0)
             if not here:
                 continue

@@ -22,13 +22,12 @@ from kinematics.expressions import (
     pi_fraction,
     pi_times,
 )
-from kinematics.table import CELLS, DHTable, JointType, SymbolicTable
+from kinematics.table import ANGLES, CELLS, DHTable, JointType, SymbolicTable
 
 # An angle typed with fewer than two decimals [rad], or less than one [deg], stands for itself.
 COARSEST_ANGLE = 0.01
 COARSEST = 0.25
 """Half a unit of the last place beside the number itself: 0.2 may be 0.15, 0.1 is not 0.15 rounded."""
-ANGLES = ("alpha", "theta")
 SAME = 1e-9
 """[rad], or a share: millions of roundings to doubles, 1e-16 each, leave no more of what is the same."""
 _MOST_DECIMALS = 40

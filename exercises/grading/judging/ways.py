@@ -7,7 +7,7 @@ from exercises.grading.judging.name_values import Values, values_of
 from exercises.grading.judging.named_numbers import with_names
 from kinematics.cells import ParameterKind, ReadTable
 from kinematics.expressions import Number
-from kinematics.table import SymbolicTable
+from kinematics.table import LENGTHS, SymbolicTable
 
 CACHED_ANSWERS = 32
 """Answers at hand; asked for twice of every one."""
@@ -58,6 +58,6 @@ def _has_numbers(table: SymbolicTable, values: Values, names: Iterable[str]) -> 
     lengths = any(
         isinstance(entry := getattr(row, cell), Number) and entry.value
         for row in table.rows
-        for cell in ("a", "d")
+        for cell in LENGTHS
     )
     return lengths or all(values.kinds[name] is ParameterKind.ANGLE for name in names)

@@ -24,7 +24,7 @@ from exercises.written_table import written_table
 from kinematics.cells import Cell, RawTable, ReadTable, read_table
 from kinematics.errors import Fault
 from kinematics.expressions import Expression, Number, Parameter, pi_fraction
-from kinematics.table import SymbolicTable
+from kinematics.table import ANGLES, LENGTHS, SymbolicTable
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -182,8 +182,8 @@ def _same_links(key: SymbolicTable, table: SymbolicTable, values: Mapping[str, f
         return False
     return all(
         (one.joint, one.sign) == (other.joint, other.sign)
-        and all(_same_length(getattr(one, cell), getattr(other, cell), values) for cell in ("d", "a"))
-        and all(_same_angle(getattr(one, cell), getattr(other, cell)) for cell in ("theta", "alpha"))
+        and all(_same_length(getattr(one, cell), getattr(other, cell), values) for cell in LENGTHS)
+        and all(_same_angle(getattr(one, cell), getattr(other, cell)) for cell in ANGLES)
         for one, other in zip(key.rows, table.rows, strict=True)
     )
 

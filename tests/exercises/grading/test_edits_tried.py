@@ -11,6 +11,7 @@ from exercises.grading.edits import cell_edits, row_edits, table_edits
 from exercises.grading.edits.cell_edits import _is_a_name
 from exercises.grading.edits.changes import Change, Extent, TableSlip
 from exercises.grading.edits.misconceptions import CATALOGUE
+from exercises.grading.edits.scope import EditScope
 from exercises.grading.edits.wanted_changes import changes_beforehand, changes_of
 from exercises.grading.edits.work import Work
 from exercises.grading.explanation import work_on
@@ -366,10 +367,10 @@ def test_a_joint_is_looked_for_among_its_places() -> None:
         (3, [3, 3], []),
         (4, [], []),
     ):
-        near = replace(work(read("standard", short)), reach=(place, place))
+        near = replace(work(read("standard", short)), scope=EditScope((place, place)))
         assert [change.row for change in CHANGES["joint_fixed"](near)] == forgotten
         assert list(dict.fromkeys(change.row for change in CHANGES["row_missing"](near))) == missing
-    behind = replace(work(read("standard", ARM[:2])), reach=(3, 3))
+    behind = replace(work(read("standard", ARM[:2])), scope=EditScope((3, 3)))
     change = next(CHANGES["row_missing"](behind))
     assert (change.row, dict(change.params)) == (2, {"place": 3, "after": 2})
     assert [one.cells[0][2] for one in CHANGES["row_missing"](behind)] == list(cell_edits.RIGHT_ANGLES)
@@ -378,7 +379,7 @@ def test_a_joint_is_looked_for_among_its_places() -> None:
         blank = put_in.table.rows[2]
         assert (blank.theta, blank.d, blank.a, blank.alpha) == (0.0, 0.0, 0.0, 0.0)
     more: Rows = [*ARM[:2], ("pi/6", 0.3, 0, "q3"), (0, 0, "q4", 0.3)]
-    near = replace(work(read("standard", more)), reach=(2, 2))
+    near = replace(work(read("standard", more)), scope=EditScope((2, 2)))
     for code in ("joint_fixed", "row_extra"):
         assert [change.row for change in CHANGES[code](near)] == [1]
 
@@ -396,13 +397,15 @@ def test_a_cell_and_a_row_that_the_whole_robot_asks_for() -> None:
         *((3, sign) for sign in ("a", "α", "d", "θ")),
     ]
     angles = [(0, "α"), (1, "α"), (2, "α"), (2, "θ"), (3, "α"), (3, "θ")]
-    assert asked_for(replace(right, angular=True)) == angles
+    assert asked_for(replace(right, scope=EditScope(angular=True))) == angles
     off = work(read("standard", with_cells(ARM, (1, 1, 0.3))), USUAL)
     (change,) = cell_edits.any_cell(off, 0)
     assert (change.code, change.row, change.cell) == ("a_value", 0, "a")
     assert change.cells[0][2] == pytest.approx(0.1, rel=1e-4)
     flat = work(read("standard", with_cells(ARM, (1, 0, 0))), USUAL)
-    assert "alpha_value" in {change.code for change in cell_edits.any_cell(replace(flat, angular=True), 0)}
+    assert "alpha_value" in {
+        change.code for change in cell_edits.any_cell(replace(flat, scope=EditScope(angular=True)), 0)
+    }
     slip = TableSlip(0, "a")
     assert len(list(cell_edits.any_cell(replace(off, only=slip), 0))) == 1
     assert list(cell_edits.any_cell(replace(off, only=TableSlip(4, "d")), 0)) == []
@@ -455,16 +458,16 @@ def test_edits_are_made_where_all_that_is_wrong_may_be_mended() -> None:
         ((3, 2), []),
         ((4, 4), []),
     ):
-        near = replace(ON_WRONG, reach=reach)
+        near = replace(ON_WRONG, scope=EditScope(reach))
         assert tried("a_sign", near) == signs
         assert [row + 1 for row, _ in near.rows] == [int(one[1]) for one in signs]
     for reach, swaps in (((1, 1), [0, 0, 0, 1, 1]), ((4, 4), [0, 0, 1, 1, 2])):
-        found = [change.row for change in CHANGES["rows_swapped"](replace(ON_WRONG, reach=reach))]
+        found = [change.row for change in CHANGES["rows_swapped"](replace(ON_WRONG, scope=EditScope(reach)))]
         assert found == swaps
 
 
 def test_an_angle_is_not_mended_by_lengths() -> None:
-    angular = replace(ON_WRONG, angular=True)
+    angular = replace(ON_WRONG, scope=EditScope(angular=True))
     for code in ("a_sign", "d_sign", "a_d_swapped", "a_value", "d_value", "cell_length_unit", "length_unit"):
         assert tried(code, angular) == []
     assert [one.split()[0][0] for one in tried("columns_exchanged", angular)] == ["α", "d"]
@@ -489,7 +492,10 @@ def test_what_an_edit_before_has_changed_is_left_alone() -> None:
 
 def test_columns_that_lack_a_size_are_mended_by_what_puts_one_there() -> None:
     def codes(lacking: str) -> set[str]:
-        return {change.code for change in changes_of(replace(ON_WRONG, lacking=frozenset(lacking.split())))}
+        return {
+            change.code
+            for change in changes_of(replace(ON_WRONG, scope=EditScope(lacking=frozenset(lacking.split()))))
+        }
 
     assert "alpha_value" in codes("alpha")
     assert not codes("alpha") & {"a_sign", "d_sign", "alpha_sign", "a_not_zero", "length_unit", "theta_value"}

@@ -7,7 +7,8 @@ import numpy as np
 
 from exercises.grading import grade
 from exercises.grading.across_prismatic import across_prismatic
-from exercises.grading.facts import Facts, fixed_ends, fixed_signs
+from exercises.grading.axis_directions import fixed_ends, fixed_signs
+from exercises.grading.facts import Facts
 from kinematics.chain import Axis, chain_of_table
 from kinematics.equivalence import BaseRule, Policy, ToolRule
 from kinematics.equivalence.invariants import axes_of, invariants_of

@@ -5,7 +5,7 @@ from itertools import product
 import numpy as np
 import pytest
 
-from exercises.grading.facts import fixed_ends, fixed_signs, least_cost
+from exercises.grading.axis_directions import fixed_ends, fixed_signs, least_cost
 from kinematics.equivalence import BaseRule, DirectionRule, Policy, ToolRule, ZeroRule
 from kinematics.equivalence.home_invariants import home_invariants_of
 from kinematics.equivalence.invariants import Measure, invariants_of

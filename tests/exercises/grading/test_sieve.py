@@ -170,8 +170,9 @@ def test_a_table_is_narrowed_to_the_row_and_the_column_that_are_wrong(
     )
     work = work_on(comparisons(key, answer, {})[0], (key, answer), FREE)
     narrowed = Sieve(work).narrowed()
-    assert (narrowed.angular, narrowed.lacking) == (angular, frozenset(lacking))
-    start, end = narrowed.reach
+    known = narrowed.scope
+    assert (known.angular, known.lacking) == (angular, frozenset(lacking))
+    start, end = known.reach
     assert row <= start <= end <= row + 2
     exchanged = [change for change in changes_of(narrowed) if change.code == "rows_swapped"]
     assert all(row in {place for place, _ in change.places} for change in exchanged)

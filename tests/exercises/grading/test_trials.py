@@ -8,8 +8,10 @@ import pytest
 
 from exercises.grading import Policy, ToolRule, ZeroRule
 from exercises.grading.edits.changes import Change, Extent, TableSlip
-from exercises.grading.edits.trials import UNCHANGED, Trial, _Batch, _fits, finishing, finishing_reaches
-from exercises.grading.edits.work import ANYTHING, EVERYWHERE, Work, _alike
+from exercises.grading.edits.other_draws import alike_at
+from exercises.grading.edits.scope import EVERYWHERE, EditScope
+from exercises.grading.edits.trials import _Batch, _fits, finishing, finishing_reaches
+from exercises.grading.edits.work import Work
 from exercises.grading.explanation import work_on
 from exercises.grading.judging.comparison import comparisons
 from kinematics.table import NumericTable
@@ -28,14 +30,14 @@ SHORT = read("standard", SHORT_ROWS)
 def test_what_fails_meets_where_one_edit_has_to_do_with_all_of_it(
     reach: tuple[int, int], meets: bool
 ) -> None:
-    assert Trial(UNCHANGED, 2, 0, reach=reach, angular=False, off=ANYTHING).meets is meets
+    assert EditScope(reach).meet is meets
 
 
 def test_a_joint_that_is_missing_is_sought_where_nothing_is_known_yet() -> None:
     """Between what fits as counted from the base and from the tool; what is known already stays."""
     short = work(SHORT)
     known, right = (1, 2), work(read("standard", ARM))
-    found = finishing_reaches([short, replace(short, reach=known), right])
+    found = finishing_reaches([short, replace(short, scope=EditScope(known)), right])
     assert found[0] != EVERYWHERE
     assert found[0][0] <= 2 <= found[0][1]
     assert found[1:] == [known, EVERYWHERE]
@@ -49,7 +51,9 @@ def test_no_edit_is_asked_for_where_the_missing_joint_has_no_place() -> None:
         asked.append(work)
         return iter(())
 
-    short, right = (replace(work(read("standard", rows)), reach=(3, 2)) for rows in (SHORT_ROWS, ARM))
+    short, right = (
+        replace(work(read("standard", rows)), scope=EditScope((3, 2))) for rows in (SHORT_ROWS, ARM)
+    )
     assert finishing([short, right], nothing) == [[], []]
     assert [one.table for one in asked] == [right.table]
 
@@ -103,10 +107,10 @@ def test_an_entry_of_the_answer_is_first_what_it_is_itself_at_another_draw() -> 
     own, keys = (table(0.3, 0.3), table(0.7, 0.5)), (table(0.3, 0.2), table(0.4, 0.6))
     for row, alike in ((0, -0.7), (1, -0.5)):
         flipped = Change("a_sign", Extent.CELL, row, "a", ((row, "a", -0.3),))
-        changed = _alike(flipped, own, keys)
+        changed = alike_at(flipped, own, keys)
         assert changed is not None
         assert changed.cells == ((row, "a", pytest.approx(alike)),)
-    taken = _alike(Change("a_value", Extent.CELL, 0, "a", ((0, "a", 0.2),)), own, keys)
+    taken = alike_at(Change("a_value", Extent.CELL, 0, "a", ((0, "a", 0.2),)), own, keys)
     assert taken is not None
     assert taken.cells == ((0, "a", pytest.approx(0.6)),)
 
@@ -115,8 +119,8 @@ def test_a_length_that_is_near_to_no_entry_is_not_taken_for_one() -> None:
     rows: Rows = [("pi/2", 1e-4, 0, "q1"), (0, 0.3, 0, "q2")]
     tables = work(read("standard", rows), FIXED, read("standard", rows)).table
     near = Change("a_value", Extent.CELL, 1, "a", ((1, "a", 1.0002e-4),))
-    assert _alike(near, (tables, tables), (tables, tables)) is None
-    assert _alike(near._replace(cells=((1, "a", 1e-4),)), (tables, tables), (tables, tables)) is not None
+    assert alike_at(near, (tables, tables), (tables, tables)) is None
+    assert alike_at(near._replace(cells=((1, "a", 1e-4),)), (tables, tables), (tables, tables)) is not None
 
 
 @pytest.mark.parametrize(
@@ -124,8 +128,8 @@ def test_a_length_that_is_near_to_no_entry_is_not_taken_for_one() -> None:
     [
         ({"only": TableSlip(0, None, "rows_swapped")}, set()),
         ({"only": TableSlip(0, "a")}, {(0, "a")}),
-        ({"lacking": frozenset({"a", "alpha"})}, set()),
-        ({"lacking": frozenset({"a"})}, {(row, "a") for row in range(4)}),
+        ({"scope": EditScope(lacking=frozenset({"a", "alpha"}))}, set()),
+        ({"scope": EditScope(lacking=frozenset({"a"}))}, {(row, "a") for row in range(4)}),
     ],
     ids=("two rows exchanged", "a cell", "an angle and a length missing", "a length missing"),
 )

@@ -5,7 +5,7 @@ from random import Random
 import numpy as np
 import pytest
 
-from exercises.grading.facts import least_cost
+from exercises.grading.axis_directions import least_cost
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import Policy, Tolerance, ToolRule
 from kinematics.equivalence.batches import axis_batch

@@ -6,7 +6,7 @@ from random import Random
 
 import pytest
 
-from exercises.grading.facts import fixed_signs, least_cost
+from exercises.grading.axis_directions import fixed_signs, least_cost
 from kinematics.equivalence import BaseRule, DirectionRule, Policy, ToolRule, ZeroRule, decide
 from kinematics.equivalence.batches import axes_of_tables
 from kinematics.equivalence.decision import EXACT
