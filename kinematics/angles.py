@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 TWELFTH = math.pi / 12
 MOST_TWELFTHS = 24  # Two turns: as far as people write angles.
 
-# cos(k·π/12) for k = 0 … 6, correctly rounded: 1, (√6+√2)/4, √3/2, √2/2, 1/2, (√6−√2)/4, 0.
 _COSINES = (1.0, 0.9659258262890683, 0.8660254037844386, 0.7071067811865476, 0.5, 0.25881904510252074, 0.0)
+"""For k = 0 … 6 cos(k·π/12), correctly rounded: 1, (√6+√2)/4, √3/2, √2/2, 1/2, (√6−√2)/4, 0."""
 # 51 digits: products with the numerators of doubles keep far more than a double's 17.
 _PI = Fraction("3.14159265358979323846264338327950288419716939937510")
 _NEARLY_INTEGER = 1e-13

@@ -38,12 +38,11 @@ from kinematics.se3 import (
     translation,
 )
 
-# In units of the tolerance. A joint turned by π shows the direction of its axis within one, and the point of
-# the axis nearest to the end frame; so two axes lie to each other within two, and parallel ones, whose points
-# are at most two robots apart, are within four of their distance. Twice that is certain.
 CERTAINLY = 10.0
-# A sine: axes are parallel but for the errors of the arithmetic.
-PARALLEL = 1e-12
+"""In units of the tolerance. A joint turned by π shows the direction of its axis within one, and the point of
+the axis nearest to the end frame; so two axes lie to each other within two, and parallel ones, whose points
+are at most two robots apart, are within four of their distance. Twice that is certain."""
+PARALLEL = 1e-12  # A sine: axes are parallel but for the errors of the arithmetic.
 
 
 def upper_bound(reference: Reference, submission: Chain, candidate: CertificateCandidate) -> Residual:

@@ -37,18 +37,15 @@ from kinematics.table import SymbolicTable
 
 Matrix: TypeAlias = NDArray[np.float64]
 
-# a share of the tables' lengths, or of 1: what the arithmetic leaves of a certificate's entry is some 1e-12,
-# and the closed forms that are tried lie much farther apart than this
 CLOSE = 1e-8
-# Decimals of a number, at the size of 1: one more than CLOSE tells apart.
-DIGITS = 9
-# 16 atoms have 5 024 sums and differences of one to three: with more atoms fewer terms are tried, so that
-# the work, and the memory, of a request do not grow with the cube of its names
+"""A share of the tables' lengths, or of 1: what the arithmetic leaves of a certificate's entry is some 1e-12,
+and the closed forms that are tried lie much farther apart than this."""
+DIGITS = 9  # Decimals of a number, at the size of 1: one more than CLOSE tells apart.
 MOST_SUMS = 6_000
-# A coordinate of a frame is a sum of at most as many lengths.
-MOST_TERMS = 3
-# every one of them is evaluated at every draw, for every revolute joint
-MOST_ANGLE_SUMS = 300
+"""16 atoms have 5 024 sums and differences of one to three: with more atoms fewer terms are tried, so that
+the work, and the memory, of a request do not grow with the cube of its names."""
+MOST_TERMS = 3  # A coordinate of a frame is a sum of at most as many lengths.
+MOST_ANGLE_SUMS = 300  # Every one of them is evaluated at every draw, for every revolute joint.
 
 
 def length_atoms(tables: Iterable[SymbolicTable]) -> list[Expression]:

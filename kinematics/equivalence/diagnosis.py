@@ -40,10 +40,8 @@ from kinematics.se3 import (
 )
 from kinematics.table import Convention, NumericTable
 
-# Signs that are followed side by side: of three axes in a row, all of them.
-WIDTH = 8
-# In units of the tolerance: a fact off by less may be the rounding of its neighbours.
-NOTICEABLE = 2.0
+WIDTH = 8  # Signs that are followed side by side: of three axes in a row, all of them.
+NOTICEABLE = 2.0  # In units of the tolerance: a fact off by less may be the rounding of its neighbours.
 
 
 class Trail(NamedTuple):

@@ -18,10 +18,8 @@ from kinematics.equivalence.policy import BaseRule, Policy, ToolRule, ZeroRule
 from kinematics.equivalence.reference import Reference
 from kinematics.se3 import cross, norm
 
-# Three parallel axes between two others: what lies before them shows behind them.
-FARTHEST = 4
-# A sine: at right angles, but for the errors of the arithmetic.
-UPRIGHT = 1.0 - 1e-12
+FARTHEST = 4  # Three parallel axes between two others: what lies before them shows behind them.
+UPRIGHT = 1.0 - 1e-12  # A sine: at right angles, but for the errors of the arithmetic.
 
 
 @cached_by_size(lambda reference, policy: len(reference.table.rows), longest=USUAL_ROWS, most=1024, few=32)

@@ -32,17 +32,16 @@ from kinematics.equivalence.policy import BaseRule, Policy, ToolRule
 from kinematics.equivalence.reference import Reference
 from kinematics.se3 import ORIGIN, Z_AXIS, Vector, cross, dot, norm, position, unit, z_axis
 
-# In units of the tolerance of the end frame: the rounded entries of six joints may all add up in one
-# invariant.
 SLACK = 6.0
-# A share of the robot, and [rad]: the arithmetic leaves 1e-9 of it where axes are steep enough to be
-# measured at all.
+"""In units of the tolerance of the end frame: the rounded entries of six joints may all add up in one
+invariant."""
 FLOOR = 1e-7
-# A sine: between flatter axes, offsets are levered up by more than two hundred. From fifty on they say
-# nothing of a pose within the tolerance, but exact numbers are still the key's or not.
+"""A share of the robot, and [rad]: the arithmetic leaves 1e-9 of it where axes are steep enough to be
+measured at all."""
 STEEPEST = 0.005
-# Directions that span space leave no distance.
-DIMENSIONS = 3
+"""A sine: between flatter axes, offsets are levered up by more than two hundred. From fifty on they say
+nothing of a pose within the tolerance, but exact numbers are still the key's or not."""
+DIMENSIONS = 3  # Directions that span space leave no distance.
 
 
 Floats = NDArray[np.float64]

@@ -18,9 +18,9 @@ from kinematics.se3 import Motion
 from kinematics.symbolic import ProofStatus, prove_identity
 from kinematics.table import JointType, SymbolicTable
 
-# A bound of the work: the exercises' own tables are proved with some fifty products; where angles that were
-# typed as decimals pile up, tens of thousands prove nothing.
 MOST_TERM_PRODUCTS = 5_000
+"""A bound of the work: the exercises' own tables are proved with some fifty products; where angles that were
+typed as decimals pile up, tens of thousands prove nothing."""
 
 ExactMatrix: TypeAlias = tuple[tuple[Expression, ...], ...]
 

@@ -18,14 +18,13 @@ from kinematics.table import NumericTable
 if TYPE_CHECKING:
     from kinematics.equivalence.tools import ToolChoice
 
-# Configurations: three times the six equations of a pose make up for twelve joints, B and E.
-SAMPLES = 64
-# [rad], and a share of the robot: what the arithmetic leaves of axes that are parallel or meet.
+SAMPLES = 64  # Configurations: three times the six equations of a pose make up for twelve joints, B and E.
 EXACTLY = 1e-9
-# In units of the tolerance: two axes of a key may each be off by one.
-LOOSELY = 2.0
-# In units of the tolerance: displacements that may slide an axis; none, a small one, and that of two axes.
+"""[rad], and a share of the robot: what the arithmetic leaves of axes that are parallel or meet."""
+LOOSELY = 2.0  # In units of the tolerance: two axes of a key may each be off by one.
 SLIDING = (0.0, 0.4, LOOSELY)
+"""In units of the tolerance: displacements that may slide an axis; none, a small one, and that of two
+axes."""
 
 _PRIMES = [p for p in range(2, 400) if all(p % k for k in range(2, int(p**0.5) + 1))]
 

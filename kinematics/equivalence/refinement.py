@@ -36,31 +36,24 @@ from kinematics.se3 import (
 )
 
 Matrix = NDArray[np.float64]
-# A bound of the work: Gauss–Newton settles in a few rounds or not at all.
-ROUNDS = 10
-# A bound of the work: mostly the bounds from above and below meet within CLOSE before.
-ITERATIONS = 12
-# A round that takes less than a tenth off the largest error has settled.
-STALLED = 0.9
-# Of the way to the best certificate at the samples; the whole would only exchange one worst for another.
+ROUNDS = 10  # A bound of the work: Gauss–Newton settles in a few rounds or not at all.
+ITERATIONS = 12  # A bound of the work: mostly the bounds from above and below meet within CLOSE before.
+STALLED = 0.9  # A round that takes less than a tenth off the largest error has settled.
 SHORTENED = 0.5
-# An error that grows so much comes from a bad start.
-DIVERGED = 4.0
-# In units of the tolerance: the three per cent that docs/checker.md leaves undecided.
-NARROW = 0.97
-# In units of the tolerance: no step nearby helps from there on.
-HOPELESS = 1.2
-# The least largest error is known to three per cent, as NARROW asks.
-CLOSE = 1.03
-# A share of the largest curvature: directions that change the errors a thousand times less follow the
-# rounding.
+"""Of the way to the best certificate at the samples; the whole would only exchange one worst for another."""
+DIVERGED = 4.0  # An error that grows so much comes from a bad start.
+NARROW = 0.97  # In units of the tolerance: the three per cent that docs/checker.md leaves undecided.
+HOPELESS = 1.2  # In units of the tolerance: no step nearby helps from there on.
+CLOSE = 1.03  # The least largest error is known to three per cent, as NARROW asks.
 DAMPING = 1e-6
-# Where nothing was rounded: axes that are parallel but for 1e-4 change the errors ten thousand times less.
+"""A share of the largest curvature: directions that change the errors a thousand times less follow the
+rounding."""
 EXACT_DAMPING = 1e-13
-# [rad], and a share of the robot: tolerances below it are asked of tables that nobody rounded.
+"""Where nothing was rounded: axes that are parallel but for 1e-4 change the errors ten thousand times
+less."""
 UNROUNDED = 1e-7
-# [rad], and a share of the robot: beyond it the errors are no linear function.
-LONGEST_STEP = 0.5
+"""[rad], and a share of the robot: tolerances below it are asked of tables that nobody rounded."""
+LONGEST_STEP = 0.5  # [rad], and a share of the robot: beyond it the errors are no linear function.
 
 FREE_TWISTS: Matrix = np.eye(6)
 LINE_TWISTS: Matrix = np.eye(6)[:, [2, 5]]

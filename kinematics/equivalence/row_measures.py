@@ -24,8 +24,7 @@ from kinematics.table import NumericTable
 Places: TypeAlias = NDArray[np.intp] | slice
 """Evenly spaced places are a slice: an array of a few takes ten times as long."""
 
-# A sine: axes are parallel but for the errors of the arithmetic.
-EXACTLY = 1e-12
+EXACTLY = 1e-12  # A sine: axes are parallel but for the errors of the arithmetic.
 
 
 def measured_of_tables(

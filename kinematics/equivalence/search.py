@@ -30,23 +30,16 @@ from kinematics.se3 import IDENTITY, Motion, compose, inverse, move, rotate
 # well, and short levers make more of it; never more than the last, [rad] and a share of the robot.
 LIMIT = 9.0
 WIDEST = 0.3
-# [rad], and a share of the robot: what alignments leave of the errors of the arithmetic where several axes in
-# a row are parallel but for 1e-4, and turns and slides are found from them. Verification decides.
 FLOOR = 1e-4
-# [rad], and a share of the robot: motions that are the same.
-SAME = 1e-7
-# [rad], and a share of the robot: from farther off refinement does not come back.
-FAR_OFF = 0.5
-# Alignments; a robot of twelve joints needs some forty.
-MOST_NODES = 4000
-# A bound of the work: refining is what costs most in a decision.
-MOST_REFINED = 4
-# A share of the largest misfit: the other sign need not be looked at.
-CLEARLY_BETTER = 0.1
-# Of misfits, in the same units: differences of the rounding.
-AS_GOOD = 0.02
-# For every reversed sign, so that of nearly equal certificates the plain one is told.
-PREFERENCE = 0.05
+"""[rad], and a share of the robot: what alignments leave of the errors of the arithmetic where several axes
+in a row are parallel but for 1e-4, and turns and slides are found from them. Verification decides."""
+SAME = 1e-7  # [rad], and a share of the robot: motions that are the same.
+FAR_OFF = 0.5  # [rad], and a share of the robot: from farther off refinement does not come back.
+MOST_NODES = 4000  # Alignments; a robot of twelve joints needs some forty.
+MOST_REFINED = 4  # A bound of the work: refining is what costs most in a decision.
+CLEARLY_BETTER = 0.1  # A share of the largest misfit: the other sign need not be looked at.
+AS_GOOD = 0.02  # Of misfits, in the same units: differences of the rounding.
+PREFERENCE = 0.05  # For every reversed sign, so that of nearly equal certificates the plain one is told.
 
 
 class Effort(Enum):

@@ -40,8 +40,7 @@ from kinematics.se3 import (
     z_axis,
 )
 
-# a share: what is shorter than this beside what it is compared with is a rounding error
-NEGLIGIBLE = 1e-12
+NEGLIGIBLE = 1e-12  # A share: what is shorter than this beside what it is compared with is a rounding error.
 
 
 @dataclass(frozen=True, slots=True)
