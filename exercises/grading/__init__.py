@@ -11,6 +11,7 @@ findings         what is said, by level of help
 facts, score     which facts of the robot are right, and what they earn
 axis_directions  which way its axes point
 alignments       which links and joints of an answer are compared with which of the key
+one_twist        all that is wrong is one twist
 standard         what they are worth
 across_prismatic   which facts go together
 """

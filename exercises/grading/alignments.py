@@ -14,10 +14,8 @@ from numpy.typing import NDArray
 
 from kinematics.caching import USUAL_ROWS, cached_by_size
 
-MOST_ALIGNMENTS = 1000
-"""In how many ways joints are placed beside the key's at the most."""
-NOT_THERE = 1 << 20
-"""The shift of a link that the answer lacks."""
+MOST_ALIGNMENTS = 1000  # In how many ways joints are placed beside the key's at the most.
+NOT_THERE = 1 << 20  # The shift of a link that the answer lacks.
 
 
 class Alignments(NamedTuple):

@@ -51,8 +51,7 @@ from kinematics.equivalence.reference import prepared_for
 _LOG = logging.getLogger(__name__)
 WORK_OF_READINGS = 90_000
 """What telling readings apart by their repairs may cost: a third of what repairing one of them may."""
-CACHED_WAYS = 32
-"""More than the ways in which one answer may be meant."""
+CACHED_WAYS = 32  # More than the ways in which one answer may be meant.
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

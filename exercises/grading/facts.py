@@ -20,8 +20,8 @@ from kinematics.equivalence.invariants import Invariants
 from kinematics.equivalence.measures import Measure, Shape
 from kinematics.se3 import IDENTITY, Floats, Vector, compose, cross, dot, move, norm, rotate, unit
 
-# Axes less than this apart [rad] count as parallel: rounded entries turn them by less, mistakes by more.
 NEARLY = 0.01
+"""Axes less than this apart [rad] count as parallel: rounded entries turn them by less, mistakes by more."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

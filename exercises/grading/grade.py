@@ -27,8 +27,7 @@ from kinematics.cells import ReadTable
 from kinematics.equivalence import Decision, Policy, prove
 from kinematics.table import JointType
 
-CACHED_VERDICTS = 512
-"""Verdicts in the cache: a class hands in the same few answers again and again."""
+CACHED_VERDICTS = 512  # Verdicts in the cache: a class hands in the same few answers again and again.
 CACHED_DIAGNOSES = 64
 """Diagnoses in the cache: an answer is told by one level of help and written down by another."""
 USUAL = Weights()

@@ -3,16 +3,15 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-import numpy as np
-
-from exercises.grading.edits.changes import Change, Extent, with_joints_mended, with_row
+from exercises.grading.edits.changes import Change, Extent, with_joints_mended
 from exercises.grading.edits.misconceptions import CATALOGUE
 from exercises.grading.edits.repairs import Repaired
 from exercises.grading.edits.table_edits import hides_an_entry
-from exercises.grading.edits.work import WORK_OF_ONE_EDIT, Work
+from exercises.grading.edits.work import Work
 from exercises.grading.facts import Weights
 from exercises.grading.judging.judgement import lacks_precision
 from exercises.grading.judging.typed import SAME
+from exercises.grading.one_twist import has_one_other_twist
 from exercises.grading.standard import (
     CELL,
     Standard,
@@ -23,19 +22,13 @@ from exercises.grading.standard import (
     without_each_gap,
     wrong_of,
 )
-from kinematics.chain import Axis
 from kinematics.equivalence import Decision, Kind, Policy
-from kinematics.equivalence.decision import convention_fits, is_certified
-from kinematics.equivalence.meter import Meter
+from kinematics.equivalence.decision import convention_fits
 from kinematics.equivalence.reference import prepared
-from kinematics.equivalence.search import Effort
-from kinematics.se3 import Floats, angle_between
-from kinematics.table import CELLS, Convention, JointType, NumericTable
+from kinematics.table import CELLS, JointType, NumericTable
 
-HIGHEST_PARTIAL = 0.95
-"""What a wrong answer earns at the most."""
-DECIMALS = 2
-"""What is shown of a score."""
+HIGHEST_PARTIAL = 0.95  # What a wrong answer earns at the most.
+DECIMALS = 2  # What is shown of a score.
 RULES = frozenset({Kind.ZERO, Kind.DIRECTION, Kind.CONVENTION})
 SIGNS = frozenset({"alpha_sign", "a_sign", "d_sign", "variable_sign"})
 
@@ -79,7 +72,7 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
             off = min(off, max(CELL, wrong_of(work, standard) - shared_across_prismatic(work, standard)))
         elif work.excess:
             off = _cost_of_a_pair(work, repairs, weights, standard, off)
-        if off > CELL and _has_one_other_twist(work):
+        if off > CELL and has_one_other_twist(work):
             off = CELL
     if not decision.same_robot:
         if slip is None:
@@ -160,7 +153,7 @@ def _lost_beside_a_slip(work: Work, weights: Weights, standard: Standard, most: 
     off, k = min(found)
     cost, rules, change = undone[k]
     with_a_cell = cost + rules + CELL
-    one_twist = off > with_a_cell and _has_one_other_twist(_without(change, work))
+    one_twist = off > with_a_cell and has_one_other_twist(_without(change, work))
     return min(most, with_a_cell if one_twist else off)
 
 
@@ -210,45 +203,6 @@ def _size_across_prismatic(work: Work, standard: Standard, slip: Change) -> floa
     wrong = wrong_of(work, standard)
     across = [wrong - wrong_of(work, without) for without in without_each_gap(standard)]
     return min(CELL, max(across, default=0.0))
-
-
-def _has_one_other_twist(work: Work) -> bool:
-    """Whether the key is the answer's robot if one of its twists is another."""
-    if not work.has_the_joints():
-        return False
-    table, answer = work.reference.table, work.chain
-    ours, theirs = (_cosines(chain.axes) for chain in (work.reference.chain, answer))
-    other = np.flatnonzero(np.abs(np.abs(ours) - np.abs(theirs)) > work.policy.tolerance.angle)
-    if len(other) != 1:
-        return False
-    joints = [i for i, row in enumerate(table.rows) if row.joint is not JointType.FIXED]
-    before, behind = joints[other[0]], joints[other[0] + 1]
-    between = (
-        range(before, behind) if table.convention is Convention.STANDARD else range(before + 1, behind + 1)
-    )
-    # by its cosine, an axis parallel to the one before it would be turned by the root of a rounding error
-    angle = angle_between(answer.axes[other[0]].direction, answer.axes[other[0] + 1].direction)
-    others = [
-        _twisted(table, row, alpha)
-        for row in between
-        for alpha in (angle, -angle, np.pi - angle, angle - np.pi)
-    ]
-    meter = Meter(WORK_OF_ONE_EDIT)
-    with meter.at_most(WORK_OF_ONE_EDIT):
-        return any(
-            is_certified((prepared(other),), (answer,), work.policy, Effort.PLAIN, meter) for other in others
-        )
-    return False
-
-
-def _cosines(axes: Sequence[Axis]) -> Floats:
-    """(n - 1,) the cosines of the angles between neighbouring axes."""
-    directions = np.array([axis.direction for axis in axes]).reshape(-1, 3)
-    return np.asarray((directions[:-1] * directions[1:]).sum(axis=1), dtype=np.float64)
-
-
-def _twisted(table: NumericTable, row: int, alpha: float) -> NumericTable:
-    return with_row(table, row, replace(table.rows[row], alpha=alpha))
 
 
 def _has_no_more_than_zeros(work: Work, standard: Standard) -> bool:

@@ -29,8 +29,7 @@ OF_A_TYPE = 2.0
 """How often the weight of a joint its type counts: an arm with another joint there is another kind of arm."""
 MOST_OF_A_JOINT = 0.5
 """What a joint takes at the most of what is right beside it: a short arm has no more facts than joints."""
-CELL = 1.0
-"""What a slip in a cell costs, in facts of weight 1."""
+CELL = 1.0  # What a slip in a cell costs, in facts of weight 1.
 
 
 class Standard(NamedTuple):

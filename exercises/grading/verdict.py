@@ -32,8 +32,7 @@ class HelpLevel(StrEnum):
         return LEVELS.index(self) >= LEVELS.index(needed)
 
 
-LEVELS = tuple(HelpLevel)
-"""From the least help to the most."""
+LEVELS = tuple(HelpLevel)  # From the least help to the most.
 
 
 class Basis(StrEnum):

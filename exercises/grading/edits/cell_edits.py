@@ -16,8 +16,8 @@ from kinematics.expressions import Number, Parameter, Product
 from kinematics.table import ANGLES, LENGTHS, VARIABLE_CELLS, JointType
 
 RIGHT_ANGLES = (0.0, math.pi / 2, -math.pi / 2, math.pi)
-# Parts of the robot's size: a length beyond them may stand in another unit; what comes of that is judged.
 TOO_LONG, TOO_SHORT = 2.0, 0.02
+"""Parts of the robot's size: a length beyond them may stand in another unit; what comes of that is judged."""
 
 
 def _set(code: str, row: int, cell: str, value: float) -> Change:

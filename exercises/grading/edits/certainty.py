@@ -25,9 +25,9 @@ from kinematics.equivalence.row_measures import EXACTLY, measured_of_tables
 from kinematics.se3 import Floats, cross, norm
 from kinematics.table import Convention, NumericTable
 
-# A share of what `EXACT` allows, by the square of the number of joints: angles add up from joint to joint,
-# and so do the displacements at their levers.
 SHARE = 1.0 / 8.0
+"""A share of what `EXACT` allows, by the square of the number of joints: angles add up from joint to joint,
+and so do the displacements at their levers."""
 
 
 def surely_right(work: Work, edits: Sequence[tuple[Sequence[Change], Floats | None]]) -> list[bool]:

@@ -30,20 +30,14 @@ from kinematics.equivalence.row_measures import measured_of_tables
 from kinematics.se3 import cross, dot, subtract
 from kinematics.table import ANGLES, VARIABLE_CELLS, NumericTable
 
-# A cell that changes an invariant by a smaller share has nothing to do with it.
-INFLUENCE = 1e-6
-# In units of an invariant’s slack: what is off by less needs no mending.
-OFF = 0.1
-# Invariants that are solved for: a cell shows in the worst of them if in any.
-MOST_STRAINED = 4
-# Choices of the axes’ directions that are tried, the best first.
-MOST_SIGNS = 4
-# Parts of the robot's size: from farther off than this, squares of lengths lose what they differ by.
+INFLUENCE = 1e-6  # A cell that changes an invariant by a smaller share has nothing to do with it.
+OFF = 0.1  # In units of an invariant’s slack: what is off by less needs no mending.
+MOST_STRAINED = 4  # Invariants that are solved for: a cell shows in the worst of them if in any.
+MOST_SIGNS = 4  # Choices of the axes’ directions that are tried, the best first.
 DISTANT = 2.0
-# [rad] Three evaluations round the circle give A + B cos x + C sin x.
-THIRD = math.tau / 3.0
-# [rad] By how much a turn about a prismatic joint is tried to change.
-SMALL_TURN = 1e-3
+"""Parts of the robot's size: from farther off than this, squares of lengths lose what they differ by."""
+THIRD = math.tau / 3.0  # [rad] Three evaluations round the circle give A + B cos x + C sin x.
+SMALL_TURN = 1e-3  # [rad] By how much a turn about a prismatic joint is tried to change.
 
 
 class Unsolved(NamedTuple):

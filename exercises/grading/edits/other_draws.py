@@ -10,8 +10,7 @@ from kinematics.equivalence.batches import CellChange
 from kinematics.se3 import Floats
 from kinematics.table import ANGLES, LENGTHS, NumericTable
 
-Draws: TypeAlias = tuple[NumericTable, NumericTable]
-"""A table at two draws."""
+Draws: TypeAlias = tuple[NumericTable, NumericTable]  # A table at two draws.
 
 
 def alike_at(change: Change, own: Draws, keys: Draws) -> Change | None:

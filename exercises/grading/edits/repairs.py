@@ -41,16 +41,13 @@ WORK_OF_FITTING = 120_000
 # A bound of the work: every one of them is followed by all the edits there are.
 MOST_FIRST_EDITS = 24
 MOST_BEFOREHAND = 48
-# A bound of what is held in memory at once: tables that are tried together, times their rows.
 MOST_ROWS_TOGETHER = 160
-# More explanations than these explain nothing.
-MOST_REPAIRS = 6
-# A convention is declared once: likelier wrong than a row, less likely than a cell.
+"""A bound of what is held in memory at once: tables that are tried together, times their rows."""
+MOST_REPAIRS = 6  # More explanations than these explain nothing.
 DECLARED = (Extent.CELL.value + Extent.ROW.value) / 2
-# of fewer, three edits make almost anything
-FEWEST_JOINTS = 3
-# a single edit adds or removes one joint
-MOST_JOINTS_APART = 2
+"""A convention is declared once: likelier wrong than a row, less likely than a cell."""
+FEWEST_JOINTS = 3  # Of fewer, three edits make almost anything.
+MOST_JOINTS_APART = 2  # A single edit adds or removes one joint.
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,8 +23,7 @@ from kinematics.equivalence.invariants import Invariants
 from kinematics.equivalence.measures import PLAIN_OFFSET, Measure, Shape
 from kinematics.table import Convention, JointType, NumericRow, NumericTable
 
-# A share of the slack: what is off by hardly more than it is left to be measured.
-CLEARLY = 1.01
+CLEARLY = 1.01  # A share of the slack: what is off by hardly more than it is left to be measured.
 
 
 Bounds: TypeAlias = Sequence[tuple[float, float]]

@@ -21,12 +21,11 @@ from kinematics.table import ANGLES, LENGTHS, Convention, DHTable, JointType, Nu
 
 ALONG_X = ("alpha", "a")
 LATE, EARLY = {"columns_late", "twists_late"}, {"columns_early", "twists_early"}
-# Metres, decimetres, centimetres and millimetres for one another, the likeliest first.
 LENGTH_RATIOS = (1000.0, 0.001, 100.0, 0.01, 10.0, 0.1)
-# Parts of the robot's size, a sieve: what all lengths of a table come to, if it may be this robot at all.
+"""Metres, decimetres, centimetres and millimetres for one another, the likeliest first."""
 SMALLEST_EXTENT, LARGEST_EXTENT = 0.05, 300.0
-# [rad] Nobody types more than a turn in radians.
-CLEARLY_DEGREES = math.tau
+"""Parts of the robot's size, a sieve: what all lengths of a table come to, if it may be this robot at all."""
+CLEARLY_DEGREES = math.tau  # [rad] Nobody types more than a turn in radians.
 
 
 def _every_cell(

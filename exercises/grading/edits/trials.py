@@ -22,8 +22,7 @@ from kinematics.equivalence import ZeroRule
 from kinematics.equivalence.batches import Variation
 from kinematics.table import ANGLES, LENGTHS, VARIABLE_CELLS, NumericTable
 
-DIGITS = 9
-"""Lengths that agree so far are the same solution."""
+DIGITS = 9  # Lengths that agree so far are the same solution.
 DIGITS_OF_ANGLES = 7
 """The same of sines and cosines: of parallel axes, an angle is the root of a rounding error."""
 Catalogue: TypeAlias = Callable[[Work], Iterator[Change]]

@@ -33,8 +33,7 @@ from kinematics.table import JointType, NumericRow, NumericTable
 
 WORK_OF_ONE_EDIT = 30_000
 """What deciding whether one edit mends the table may cost: no single one uses up the search."""
-EXCHANGED = 2
-"""Joints of another type where rows of joints of both types were exchanged."""
+EXCHANGED = 2  # Joints of another type where rows of joints of both types were exchanged.
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -27,8 +27,8 @@ from kinematics.errors import Fault, ParameterError
 from kinematics.expressions import ZERO, Expression, parameters_in
 from kinematics.table import ANGLES, CELLS, Convention, DHTable, NumericTable, SymbolicTable, bind
 
-# Two unequal sums of names agree at a random draw with probability zero; three leave room for signs.
 DRAWS = 3
+"""Two unequal sums of names agree at a random draw with probability zero; three leave room for signs."""
 # Tables with roots may have values at few draws.
 ATTEMPTS = 60
 LARGEST_ENTRY = 1e70

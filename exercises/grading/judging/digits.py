@@ -23,14 +23,12 @@ from kinematics.table import ANGLES, LENGTHS, NumericTable
 
 Floats = NDArray[np.float64]
 
-PER_CENT = 0.01
-"""The share of itself by which a length or an angle may be off, whatever its digits."""
+PER_CENT = 0.01  # The share of itself by which a length or an angle may be off, whatever its digits.
 CACHED_TABLES = 64
 """Tables at hand: each is asked for when it is judged, when edits are tried on it and when it is scored."""
 FINEST = 1e-15
 """[rad], or a share of the longest entry: finer digits are lost among the errors of the arithmetic."""
-SECOND_ORDER = 1.25
-"""What the digits do at first order, and room for what they do beyond it."""
+SECOND_ORDER = 1.25  # What the digits do at first order, and room for what they do beyond it.
 
 
 def beyond_digits(

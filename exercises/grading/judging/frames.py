@@ -15,10 +15,8 @@ from kinematics.equivalence.reference import prepared, prepared_for
 from kinematics.se3 import Motion, compose, from_matrix, inverse, position, rotation_about, scale, translation
 from kinematics.table import JointType, NumericTable
 
-# [rad], and a share of the robot: smaller differences of frames are not told.
-NOTICED = 1e-3
-# The same, where rounded entries turn and move frames by a little of their own.
-NOTICED_IF_ROUNDED = 0.02
+NOTICED = 1e-3  # [rad], and a share of the robot: smaller differences of frames are not told.
+NOTICED_IF_ROUNDED = 0.02  # The same, where rounded entries turn and move frames by a little of their own.
 # Of a residual: above it an answer was right only because of rounding.
 ROUNDED = 1e-8
 _NUMBER = re.compile(r"-?[\d.]+")

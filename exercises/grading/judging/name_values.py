@@ -12,8 +12,7 @@ from kinematics.errors import Fault, ParameterError
 from kinematics.expressions import Call, Number, Power, walk
 from kinematics.table import CELLS, SymbolicTable
 
-# Draws of a name that owe nothing to its given value.
-FREE_ATTEMPTS = 20
+FREE_ATTEMPTS = 20  # Draws of a name that owe nothing to its given value.
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -11,8 +11,7 @@ from kinematics.cells import ParameterKind, ReadTable
 from kinematics.expressions import Expression, Number, Parameter, negate, pi_fraction
 from kinematics.table import ANGLES, LENGTHS, DHTable
 
-MOST_NAMED = 16
-"""Ways in which an answer is taken whose numbers are values of two names."""
+MOST_NAMED = 16  # Ways in which an answer is taken whose numbers are values of two names.
 NAMED = 0.02
 """How far a number may be from the value of the name that it stands for, as a share, whatever its digits."""
 

@@ -30,8 +30,7 @@ COARSEST = 0.25
 """Half a unit of the last place beside the number itself: 0.2 may be 0.15, 0.1 is not 0.15 rounded."""
 SAME = 1e-9
 """[rad], or a share: millions of roundings to doubles, 1e-16 each, leave no more of what is the same."""
-_MOST_DECIMALS = 40
-"""More digits than a double can tell apart: such an entry counts as exact."""
+_MOST_DECIMALS = 40  # More digits than a double can tell apart: such an entry counts as exact.
 
 Place = tuple[int, str]
 NOTHING_TYPED: Mapping[Place, float] = MappingProxyType({})

@@ -9,8 +9,7 @@ from kinematics.cells import ParameterKind, ReadTable
 from kinematics.expressions import Number
 from kinematics.table import LENGTHS, SymbolicTable
 
-CACHED_ANSWERS = 32
-"""Answers at hand; asked for twice of every one."""
+CACHED_ANSWERS = 32  # Answers at hand; asked for twice of every one.
 
 
 @lru_cache(maxsize=CACHED_ANSWERS)
