@@ -8,9 +8,9 @@ table_reader     from the one to the other
 rows, joints     a row, and which joint it holds
 entries          one cell
 From the text of a cell to an expression:
-  characters, unit_words  what comes with pasted text
-  variable_marks, bare_arguments  wrapping, joint variables and functions as they are printed
-  scanner        tokens
+  pasted_text, characters, unit_words  what comes with pasted text
+  scanner, scanned_names  tokens
+  variable_marks, bare_arguments  joint variables and functions as they are printed
   grammar, syntax  the tree of a cell
   meaning        the exact expression in radians
 variables        which names are joint variables

@@ -22,27 +22,13 @@ from kinematics.cells.characters import (
     translated,
 )
 from kinematics.cells.limits import DEFAULT, Limits
+from kinematics.cells.pasted_text import without_wrapping
 from kinematics.cells.refusals import CellRefusal
+from kinematics.cells.scanned_names import Scanned, scan_command, scan_name, token_at
 from kinematics.cells.unit_words import unit_refusal
-from kinematics.cells.variable_marks import without_marks, without_wrapping
+from kinematics.cells.variable_marks import without_marks
 from kinematics.expressions import Function
 
-FUNCTION_NAMES = {function.value: function for function in Function} | {
-    "arcsin": Function.ASIN,
-    "arccos": Function.ACOS,
-    "arctan": Function.ATAN,
-    "arctan2": Function.ATAN2,
-    "arctg": Function.ATAN,
-    "arcsen": Function.ASIN,
-    "sen": Function.SIN,
-    "tg": Function.TAN,
-}
-"""Names of functions, those of the documents' languages included."""
-
-_TURNED = {"sin", "cos", "tan", "sen", "tg"}
-"""Functions behind which a number is an argument, sin30, and no index."""
-_NAME_CHARACTERS = 32  # Characters of a name; longer ones are text that was pasted by mistake.
-_NOT_VALUES = {"nan", "inf", "infinity"}
 _OPERATORS = {
     "+": "PLUS",
     "-": "MINUS",
@@ -60,33 +46,8 @@ _OPERATORS = {
 _ABSOLUTE = ((("FUNCTION", "abs"), ("LPAR", "(")), (("RPAR", ")"),))
 """What two bars in a cell mean: |L1 - L2|."""
 _VALUES_END = {"NUMBER", "NAME", "PI", "RPAR", "RBRACE", "DEGREE", "SUPERSCRIPT"}
-_COMMANDS = {
-    "pi": "PI",
-    "cdot": "STAR",
-    "times": "STAR",
-    "ast": "STAR",
-    "star": "STAR",
-    "div": "SLASH",
-    "circ": "DEGREE",
-    "degree": "DEGREE",
-}
-_FRACTIONS = {"frac", "dfrac", "tfrac"}
-_LETTERS = {"ell": "l"}  # Letters that are commands.
-_SPACING = {"left", "right", "quad", "qquad", ",", ";", ":", "!", " "}
-_GREEK_NAMES = set(GREEK.values()) - {"pi"}
-
 _NUMBER = re.compile(r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
-_SUBSCRIPT = "[" + "".join(SUBSCRIPTS) + "]+|_(?:[A-Za-z0-9]+|\\{ *[A-Za-z0-9]+ *\\})"
-_NAME = re.compile(f"([A-Za-z]+|[{''.join(GREEK)}])([0-9]*)((?:{_SUBSCRIPT})*)")
-_INDEX = re.compile(f"([0-9]*)((?: *(?:{_SUBSCRIPT}))*)")
-_SEGMENT = re.compile(_SUBSCRIPT)
-_COMMAND = re.compile(r"\\([A-Za-z]+|.?)", re.DOTALL)
 _MATH = re.compile(r"\$(.*)\$|\\\((.*)\\\)", re.DOTALL)
-_RATE = re.compile(rf"\\dot *(?:\{{ *(?:q|\\theta|θ) *\}}|q|\\theta|θ)([0-9]*)((?: *(?:{_SUBSCRIPT}))*)")
-_DOTTED = re.compile(rf"[qθ]{DOT_ABOVE}([0-9]*)((?: *(?:{_SUBSCRIPT}))*)")
-_FROM_DEGREES = re.compile(r"(?:radians|RADIANS|deg2rad)(?= *\()")
-"""What programs call the function whose argument is in degrees."""
-_EMPTY_CALL = re.compile(r" *\( *\)")  # A spreadsheet writes PI().
 _DEGREE_POWER = re.compile(r"\^ *(?:\{ *(?:\\circ|°|o) *\}|\\circ(?![A-Za-z])|°|o(?!\w))")
 _SUPERSCRIPT = re.compile(f"{SUPERSCRIPT_MINUS}?[{''.join(SUPERSCRIPTS)}]+")
 _FORTRAN_EXPONENT = re.compile(r"[dD]([+-][0-9]+)(?![0-9A-Za-z_.(])")
@@ -112,7 +73,7 @@ def scan(text: str, limits: Limits = DEFAULT) -> list[Token]:
             position += 1
             continue
         if plain[position] == "|" and (bar := next(bars, None)):
-            tokens += [_token(kind, text, position) for kind, text in bar]
+            tokens += [token_at(kind, text, position) for kind, text in bar]
             position += 1
             continue
         if plain[position] in VULGAR_FRACTIONS and tokens and tokens[-1].type in _VALUES_END:
@@ -149,16 +110,13 @@ def canonical_name(text: str) -> str | None:
     return str(tokens[0]) if len(tokens) == 1 and tokens[0].type == "NAME" else None
 
 
-Scanned = tuple[list[Token], int]
-
-
 def _handler(first: str) -> Callable[[str, int, Limits], Scanned]:
     if first in "0123456789.":
         return _number
     if first.isalpha() and (first in GREEK or first.isascii()):
-        return _name
+        return scan_name
     if first == "\\":
-        return _command
+        return scan_command
     if first in VULGAR_FRACTIONS:
         return _vulgar_fraction
     if first in SUPERSCRIPTS or first == SUPERSCRIPT_MINUS:
@@ -177,10 +135,10 @@ def _number(plain: str, start: int, limits: Limits) -> Scanned:
         raise CellRefusal("number_too_long", column=start + 1, limit=limits.digits)
     fortran = _FORTRAN_EXPONENT.match(plain, match.end())
     if fortran:
-        return [_token("NUMBER", f"{text}e{_fortran_exponent(fortran, text, start)}", start)], fortran.end()
-    tokens = [_token("NUMBER", text, start)]
+        return [token_at("NUMBER", f"{text}e{_fortran_exponent(fortran, text, start)}", start)], fortran.end()
+    tokens = [token_at("NUMBER", text, start)]
     times = _TIMES_TEN.match(plain, match.end())
-    return ([*tokens, _token("STAR", "x", match.end())], times.end()) if times else (tokens, match.end())
+    return ([*tokens, token_at("STAR", "x", match.end())], times.end()) if times else (tokens, match.end())
 
 
 def _fortran_exponent(match: re.Match[str], number: str, start: int) -> str:
@@ -198,65 +156,6 @@ def _fortran_exponent(match: re.Match[str], number: str, start: int) -> str:
     )
 
 
-def _name(plain: str, start: int, limits: Limits) -> Scanned:
-    dotted = _DOTTED.match(plain, start)
-    if dotted:
-        name = _spelled("dq", dotted.group(1), dotted.group(2), start)
-        return [_token("NAME", name, start)], dotted.end()
-    match = _NAME.match(plain, start)
-    radians = _FROM_DEGREES.match(plain, start)
-    if radians:
-        return [_token("RADIANS", radians.group(), start)], radians.end()
-    assert match is not None
-    word, digits, scripts = match.groups()
-    _refuse_what_runs_on(plain, match.group(), start, match.end())
-    word = GREEK.get(word, word)
-    if word.lower() == "pi" and (digits or scripts):
-        raise CellRefusal("names_run_together", column=start + 1, text=word)
-    if not digits and not scripts:
-        if word.lower() == "pi":
-            call = _EMPTY_CALL.match(plain, match.end())
-            return [_token("PI", "pi", start)], (call or match).end()
-        if word in {"deg", "Deg", "DEG"}:
-            return [_token("DEGREE", "°", start)], match.end()
-        if word.lower() in _NOT_VALUES:
-            raise CellRefusal("name_is_not_a_number", column=start + 1, name=word)
-    function = _function(word + digits) if not scripts else None
-    if function is not None:
-        return [_token("FUNCTION", function.value, start)], match.end()
-    if digits and not scripts and word in _TURNED:
-        raise CellRefusal("function_without_parentheses", column=start + 1, name=word)
-    return [_token("NAME", _spelled(word, digits, scripts, start), start)], match.end()
-
-
-def _command(plain: str, start: int, limits: Limits) -> Scanned:
-    match = _COMMAND.match(plain, start)
-    assert match is not None
-    word, end = match.group(1), match.end()
-    rate = _RATE.match(plain, start)
-    if rate:
-        digits, scripts = rate.group(1) or "", rate.group(2) or ""
-        return [_token("NAME", _spelled("dq", digits, scripts, start), start)], rate.end()
-    if word in _SPACING:
-        return [], end
-    if word in _COMMANDS:
-        return [_token(_COMMANDS[word], word, start)], end
-    if word in _FRACTIONS:
-        return [_token("FRACTION", word, start)], end
-    if word in FUNCTION_NAMES:
-        return [_token("FUNCTION", FUNCTION_NAMES[word].value, start)], end
-    letter = _LETTERS.get(word)
-    word = letter or word.removeprefix("var")
-    if letter is None and word not in _GREEK_NAMES:
-        raise CellRefusal("command_unknown", column=start + 1, command=word)
-    index = _INDEX.match(plain, end)
-    assert index is not None
-    _refuse_what_runs_on(
-        plain, plain[start : index.end()], start, index.end(), after_digits=bool(index.group())
-    )
-    return [_token("NAME", _spelled(word, index.group(1), index.group(2), start), start)], index.end()
-
-
 def _superscript(plain: str, start: int, limits: Limits) -> Scanned:
     match = _SUPERSCRIPT.match(plain, start)
     if not match:
@@ -265,21 +164,21 @@ def _superscript(plain: str, start: int, limits: Limits) -> Scanned:
     digits = "".join(SUPERSCRIPTS.get(character, "") for character in match.group())
     if len(digits) > limits.digits:
         raise CellRefusal("number_too_long", column=start + 1, limit=limits.digits)
-    return [_token("SUPERSCRIPT", sign + digits, start)], match.end()
+    return [token_at("SUPERSCRIPT", sign + digits, start)], match.end()
 
 
 def _vulgar_fraction(plain: str, start: int, limits: Limits) -> Scanned:
     top, bottom = VULGAR_FRACTIONS[plain[start]]
     parts = (("LPAR", "("), ("NUMBER", top), ("SLASH", "/"), ("NUMBER", bottom), ("RPAR", ")"))
-    return [_token(kind, text, start) for kind, text in parts], start + 1
+    return [token_at(kind, text, start) for kind, text in parts], start + 1
 
 
 def _operator(plain: str, start: int, limits: Limits) -> Scanned:
     if plain.startswith("**", start):
-        return [_token("POW", "**", start)], start + 2
+        return [token_at("POW", "**", start)], start + 2
     degree = _DEGREE_POWER.match(plain, start)
     if degree:
-        return [_token("DEGREE", "°", start)], degree.end()
+        return [token_at("DEGREE", "°", start)], degree.end()
     character = plain[start]
     if character == DOT_ABOVE:
         raise CellRefusal("character_invisible", column=start + 1, character=f"U+{ord(character):04X}")
@@ -291,40 +190,7 @@ def _operator(plain: str, start: int, limits: Limits) -> Scanned:
         raise CellRefusal(
             "character_not_allowed", column=start + 1, character=f"{character} (U+{ord(character):04X})"
         )
-    return [_token(_OPERATORS[character], character, start)], start + 1
-
-
-def _token(kind: str, text: str, start: int) -> Token:
-    return Token(kind, text, column=start + 1)
-
-
-def _function(word: str) -> Function | None:
-    lower = word.lower()
-    # A spreadsheet's ATAN2 takes x before y: only the lower-case name is the mathematical atan2(y, x).
-    return FUNCTION_NAMES.get(lower if lower not in {"atan2", "arctan2"} else word)
-
-
-def _spelled(word: str, digits: str, scripts: str, start: int) -> str:
-    name = word + digits
-    for segment in _SEGMENT.finditer(scripts):
-        text = segment.group()
-        plain = text.strip("_{} ") if text.startswith("_") else "".join(SUBSCRIPTS[c] for c in text)
-        name += plain if plain[0].isdigit() and name[-1].isalpha() else f"_{plain}"
-    if len(name) > _NAME_CHARACTERS:
-        raise CellRefusal("name_too_long", column=start + 1, limit=_NAME_CHARACTERS)
-    return name
-
-
-def _refuse_what_runs_on(plain: str, text: str, start: int, end: int, *, after_digits: bool = True) -> None:
-    following = plain[end : end + 1]
-    if following == "_":
-        raise CellRefusal("name_malformed", column=end + 1)
-    if (
-        following.isascii()
-        and following.isalnum()
-        and ((after_digits and text[-1] not in GREEK) or following.isdigit())
-    ):
-        raise CellRefusal("names_run_together", column=start + 1, text=text)
+    return [token_at(_OPERATORS[character], character, start)], start + 1
 
 
 def _without_math_marks(plain: str) -> str:
