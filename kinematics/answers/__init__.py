@@ -7,7 +7,10 @@ joint_verdicts       what is said of them
 screw_answers        joint screws and a home pose
 jacobian_answers     Jacobians in numbers, and the joint forces that hold a wrench
 jacobian_forms       the same as functions of the joint variables
+entry_proofs         are entries the same functions
+jacobian_verdicts    what is said of both
 singularity_answers  conditions for singularities, as a set, and the motion that is lost
+singularity_verdicts  what is said of them
 singular_arms        families of singularities and points of them
 lost_motions         motions that an arm has lost in a configuration
 unit_multiples       is a function a product of given ones, up to what never vanishes

@@ -25,10 +25,10 @@ from kinematics.answers.dynamics_verdicts import (
     EquationsAnswer,
     derived,
 )
+from kinematics.answers.entry_proofs import proved
 from kinematics.answers.left_open import EXACT, left_open
 from kinematics.cells.substitution import substitute
 from kinematics.dynamics import RigidBody, rate_name
-from kinematics.errors import FormSizeError
 from kinematics.expressions import (
     ONE,
     ZERO,
@@ -43,11 +43,10 @@ from kinematics.expressions import (
 from kinematics.expressions.arrays import values_at
 from kinematics.expressions.values import holds_decimals
 from kinematics.se3 import Floats
-from kinematics.symbolic import Matrix, ProofStatus, compare
+from kinematics.symbolic import Matrix, ProofStatus
 
 Pair = tuple[Expression, Expression]
 POINTS = 8  # Configurations at which functions are compared, for each set of values.
-PRODUCTS = 100_000  # Products of terms that a proof of one entry may form, some 50 ms.
 HALF = Number(Fraction(1, 2))
 TOLERANCE = 0.005  # Of an entry that is not proved, as a share of its size: two decimals and a half.
 
@@ -167,7 +166,7 @@ class _EntryJudge:
             sizes: pairs whose geometric means are sizes.
             terms: what was typed and its factor, for all that the entry is the sum of; itself, if left out.
         """
-        if given == ours or _proved(given, ours):
+        if proved(((given, ours),)) is ProofStatus.PROVED:
             return True
         terms = [(given, ONE)] if terms is None else terms
         near = self._near(given, ours, sizes, {}, terms)
@@ -206,13 +205,6 @@ class _EntryJudge:
 
     def _drawn(self) -> Floats:
         return np.array([self._random.uniform(-3.0, 3.0) for _ in range(POINTS)])
-
-
-def _proved(given: Expression, ours: Expression) -> bool:
-    try:
-        return compare(given, ours, limit=PRODUCTS) is ProofStatus.PROVED
-    except (FormSizeError, ZeroDivisionError):
-        return False
 
 
 def _applied(coriolis: Matrix) -> tuple[Expression, ...]:

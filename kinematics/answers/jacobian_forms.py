@@ -10,8 +10,7 @@ the answer is written: they are drawn from it; and, if it names every length, wi
 """
 
 import random
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from itertools import chain as in_turn
 from typing import TypeAlias
@@ -19,49 +18,32 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.answers.entry_proofs import FormKey, key_of, proved
 from kinematics.answers.form_samples import FormRobot, FormSamples, form_samples, usual_samples
 from kinematics.answers.jacobian_answers import (
     MIDDLE,
-    JacobianMistake,
-    JacobianVerdict,
     entry_limits,
     jacobian_at,
     judge_forces,
     judge_jacobian,
 )
+from kinematics.answers.jacobian_verdicts import FormVerdict, JacobianMistake
 from kinematics.answers.left_open import EXACT, Rounded, left_open
-from kinematics.errors import Fault, FormSizeError, JointValueError
+from kinematics.errors import Fault, JointValueError
 from kinematics.expressions import ZERO, Expression, add, multiply
 from kinematics.jacobian import JacobianFrame
 from kinematics.rotations.sequences import EulerSequence
 from kinematics.se3 import Floats
 from kinematics.symbolic import Matrix, ProofStatus, jacobian
 from kinematics.symbolic.analytic import analytic_form
-from kinematics.symbolic.form_reader import FormReader
-from kinematics.symbolic.polynomials import ONE, Polynomial, PolynomialReader
-from kinematics.symbolic.quotients import quotient_of
-from kinematics.symbolic.ring import Ring
 from kinematics.symbolic.size import refuse_longer_than
 from kinematics.table import JointType, SymbolicTable
 
-PRODUCTS = 100_000  # Products of terms that a proof may form, some 50 ms; all entries of a PUMA need a tenth.
 OPERATIONS = 20_000  # Operations of a Jacobian that is compared; an arm with a wrist has a thousand.
 LARGE_RATE = 20.0
 """Rate of an angle per rate of a joint: more of it is next to gimbal lock, where roundings tell."""
 
 Expressions: TypeAlias = Sequence[Sequence[Expression]]
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class FormVerdict(JacobianVerdict):
-    """What is said of a Jacobian in closed form.
-
-    Attributes:
-        proof: PROVED: every entry is the same function; UNDECIDED: some were compared at samples only;
-            REFUTED: some differ, if only by what is rounded.
-    """
-
-    proof: ProofStatus
 
 
 @np.errstate(all="ignore")
@@ -130,7 +112,7 @@ def judge_force_form(
         rounded: of entries with names and decimals, as for the Jacobian.
     """
     ours = force_form(robot.table, wrench, frame)
-    other, refuted = _key_of(ours).unlike(given)
+    other, refuted = key_of(ours).unlike(given)
     right = [True] * len(given)
     if not other:
         return tuple(right), ProofStatus.PROVED, None
@@ -144,7 +126,7 @@ def judge_force_form(
         limit = np.minimum(tolerance * size, _as_typed([given[k]], rounded, samples, size)[0])
         right[k] = bool(np.all(np.abs(one - two) <= limit))
     if all(right):
-        proof = ProofStatus.REFUTED if refuted else _proved([(given[k], ours[k]) for k in other])
+        proof = ProofStatus.REFUTED if refuted else proved([(given[k], ours[k]) for k in other])
         return tuple(right), proof, None
     found: set[JacobianMistake | None] = set()
     for k in range(2):
@@ -190,81 +172,20 @@ def force_form(
     )
 
 
-def _proved(pairs: Iterable[tuple[Expression, Expression]]) -> ProofStatus:
-    """Return whether each pair of entries is one function; all are read into one ring."""
-    reader = FormReader(Ring(limit=PRODUCTS))
-    try:
-        for given, ours in pairs:
-            if given == ours:
-                continue
-            difference = reader.ring.add(reader.form(given), reader.form(ours), -1)
-            if not reader.vanishes(difference):
-                return ProofStatus.REFUTED if reader.decisive else ProofStatus.UNDECIDED
-    except (FormSizeError, ZeroDivisionError):
-        return ProofStatus.UNDECIDED
-    return ProofStatus.PROVED
-
-
-Quotient: TypeAlias = tuple[Polynomial, Polynomial]
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class _Key:
-    """Entries in closed form, row by row, and what they are as quotients of polynomials, if they are."""
-
-    entries: tuple[Expression, ...]
-    quotients: tuple[Quotient | None, ...]
-    reader: PolynomialReader
-
-    def unlike(self, given: Sequence[Expression]) -> tuple[list[int], list[int]]:
-        """Return which entries of an answer are not proved to be these, and which are proved to be others."""
-        reader, unlike, refuted = self.reader.copy(), [], []
-        for k, (entry, ours) in enumerate(zip(given, self.quotients, strict=True)):
-            found = None if ours is None else _quotient(reader, entry)
-            if found is None or ours is None:
-                if entry != self.entries[k]:
-                    unlike.append(k)
-            elif found != ours:
-                crosswise = (found[0], ours[1]), (ours[0], found[1])
-                products = [p if q is ONE else reader.product((p, q)) for p, q in crosswise]
-                if None in products or products[0] != products[1]:
-                    unlike.append(k)
-                    refuted += [] if None in products else [k]
-        return unlike, refuted
-
-
-def _key_of(entries: tuple[Expression, ...]) -> _Key:
-    reader = PolynomialReader()
-    return _Key(entries=entries, quotients=tuple(_quotient(reader, e) for e in entries), reader=reader)
-
-
-def _quotient(reader: PolynomialReader, entry: Expression) -> Quotient | None:
-    """Return an entry as a quotient of polynomials; None if it is none, or divides by zero."""
-    found = reader.read(entry)
-    if found is not None:
-        return found, ONE
-    top, bottoms = quotient_of(entry)
-    if not bottoms:
-        return None
-    above, *below = (reader.read(part) for part in (top, *bottoms))
-    under = reader.product([part for part in below if part])
-    return (above, under) if above is not None and under and all(below) else None
-
-
 @lru_cache(maxsize=64)
-def _key(table: SymbolicTable, frame: JacobianFrame, angles: EulerSequence | None) -> _Key:
-    return _key_of(tuple(in_turn.from_iterable(jacobian_form(table, frame, angles))))
+def _key(table: SymbolicTable, frame: JacobianFrame, angles: EulerSequence | None) -> FormKey:
+    return key_of(tuple(in_turn.from_iterable(jacobian_form(table, frame, angles))))
 
 
 def _proof(
-    key: _Key, given: Sequence[Expression], unlike: Sequence[int], refuted: Sequence[int], analytic: bool
+    key: FormKey, given: Sequence[Expression], unlike: Sequence[int], refuted: Sequence[int], analytic: bool
 ) -> ProofStatus:
     """Return what is proved of a Jacobian whose row of the middle angle may have either sign anywhere."""
     n = len(given) // 6
     free = {k for k in unlike if analytic and k // n == MIDDLE}
     if set(refuted) - free:
         return ProofStatus.REFUTED
-    proof = _proved([(given[k], key.entries[k]) for k in unlike if k not in free])
+    proof = proved([(given[k], key.entries[k]) for k in unlike if k not in free])
     return ProofStatus.UNDECIDED if free and proof is ProofStatus.PROVED else proof
 
 

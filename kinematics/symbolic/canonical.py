@@ -1,5 +1,6 @@
 """One normal form for every function, and equality of functions as equality of normal forms."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
@@ -68,10 +69,21 @@ def compare(a: Expression, b: Expression, *, limit: int = LIMIT) -> ProofStatus:
         FormSizeError: the expansion needs more products of terms than `limit`.
         ZeroDivisionError: an expression divides by zero.
     """
+    return compare_all(((a, b),), limit=limit)
+
+
+def compare_all(pairs: Iterable[tuple[Expression, Expression]], *, limit: int = LIMIT) -> ProofStatus:
+    """Return whether the expressions of each pair are the same function; all are read into one ring.
+
+    Raises:
+        FormSizeError: the expansions need more products of terms than `limit`.
+        ZeroDivisionError: an expression divides by zero.
+    """
     reader = FormReader(Ring(limit=limit))
-    if reader.vanishes(reader.ring.add(reader.form(a), reader.form(b), -1)):
-        return ProofStatus.PROVED
-    return ProofStatus.REFUTED if reader.decisive else ProofStatus.UNDECIDED
+    for a, b in pairs:
+        if not reader.vanishes(reader.ring.add(reader.form(a), reader.form(b), -1)):
+            return ProofStatus.REFUTED if reader.decisive else ProofStatus.UNDECIDED
+    return ProofStatus.PROVED
 
 
 def same_function(a: Expression, b: Expression, *, limit: int = LIMIT) -> bool:

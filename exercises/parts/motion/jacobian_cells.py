@@ -19,7 +19,7 @@ from exercises.parts.rotations.drawn_orientations import read_sequence
 from exercises.parts.task import FieldShape, FormField, choice_field
 from exercises.reading import KeyShape, Reader
 from kinematics.answers.form_samples import COMPONENTS
-from kinematics.answers.jacobian_answers import JacobianMistake, JacobianVerdict
+from kinematics.answers.jacobian_verdicts import JacobianMistake, JacobianVerdict
 from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.cells import Cell
 from kinematics.errors import JointValueError

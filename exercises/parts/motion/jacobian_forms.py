@@ -35,8 +35,8 @@ from exercises.parts.protocol import TABLE, Reading, RobotFacts
 from exercises.parts.task import GivenNumbers, PartTask
 from exercises.reading import KeyShape, Reader
 from kinematics.answers.form_samples import COMPONENTS, FormRobot, loaded_robot
-from kinematics.answers.jacobian_answers import JacobianMistake, JacobianVerdict
 from kinematics.answers.jacobian_forms import force_form, jacobian_form, judge_force_form, judge_jacobian_form
+from kinematics.answers.jacobian_verdicts import JacobianMistake, JacobianVerdict
 from kinematics.answers.left_open import Rounded
 from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.cells import Cell, ReadTable

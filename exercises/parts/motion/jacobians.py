@@ -39,14 +39,8 @@ from exercises.parts.motion.jacobian_cells import (
 from exercises.parts.protocol import TABLE, Reading, RobotFacts
 from exercises.parts.task import GivenNumbers, PartTask
 from exercises.reading import KeyShape, Reader
-from kinematics.answers.jacobian_answers import (
-    JacobianMistake,
-    JacobianVerdict,
-    jacobian_at,
-    joint_forces_at,
-    judge_forces,
-    judge_jacobian,
-)
+from kinematics.answers.jacobian_answers import jacobian_at, joint_forces_at, judge_forces, judge_jacobian
+from kinematics.answers.jacobian_verdicts import JacobianMistake, JacobianVerdict
 from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.cells import Cell, parameters_in_radians
 from kinematics.cells.meaning import Position

@@ -29,7 +29,8 @@ from exercises.parts.task import FieldShape, FormField, GivenNumbers, PartTask
 from exercises.reading import Reader
 from kinematics.answers.lost_motions import lost_motion_is_right, lost_motions_at
 from kinematics.answers.singular_arms import SingularArm, arm_of
-from kinematics.answers.singularity_answers import ConditionStatus, is_sine_for_cosine, judge_singularities
+from kinematics.answers.singularity_answers import is_sine_for_cosine, judge_singularities
+from kinematics.answers.singularity_verdicts import ConditionStatus
 from kinematics.errors import Fault, FormSizeError
 from kinematics.expressions import joint_variables_in
 from kinematics.printing import Format, MatrixPrinter, Notation, Purpose

@@ -8,8 +8,9 @@ import numpy as np
 from pydantic import Field
 
 from kinematics.answers.form_samples import COMPONENTS, loaded_robot
-from kinematics.answers.jacobian_answers import JacobianMistake, JacobianVerdict, judge_forces, judge_jacobian
+from kinematics.answers.jacobian_answers import judge_forces, judge_jacobian
 from kinematics.answers.jacobian_forms import judge_force_form, judge_jacobian_form
+from kinematics.answers.jacobian_verdicts import JacobianMistake, JacobianVerdict
 from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.chain import chain_of_table
 from kinematics.errors import Fault, JointValueError

@@ -8,7 +8,8 @@ from pydantic import Field
 from exercises.parts.motion.conditions import read_conditions
 from kinematics.answers.lost_motions import lost_motion_is_right, lost_motions_at
 from kinematics.answers.singular_arms import SingularArm, arm_of
-from kinematics.answers.singularity_answers import ConditionStatus, SingularityVerdict, judge_singularities
+from kinematics.answers.singularity_answers import judge_singularities
+from kinematics.answers.singularity_verdicts import ConditionStatus, SingularityVerdict
 from kinematics.errors import Fault, JointValueError
 from kinematics.expressions import Expression
 from kinematics.inverse.lengths import check_lengths

@@ -5,7 +5,8 @@ import random
 import numpy as np
 import pytest
 
-from kinematics.answers.jacobian_answers import JacobianMistake, judge_forces, judge_jacobian
+from kinematics.answers.jacobian_answers import judge_forces, judge_jacobian
+from kinematics.answers.jacobian_verdicts import JacobianMistake
 from kinematics.cells import RawRow, RawTable, read_table
 from kinematics.chain import chain_of_table
 from kinematics.jacobian import JacobianFrame

@@ -9,11 +9,8 @@ import pytest
 from exercises.parts.motion.conditions import MOST_CONDITIONS, Condition, read_conditions
 from kinematics.answers.lost_motions import lost_motion_is_right, lost_motions_at
 from kinematics.answers.singular_arms import arm_of
-from kinematics.answers.singularity_answers import (
-    ConditionStatus,
-    is_sine_for_cosine,
-    judge_singularities,
-)
+from kinematics.answers.singularity_answers import is_sine_for_cosine, judge_singularities
+from kinematics.answers.singularity_verdicts import ConditionStatus
 from kinematics.answers.unit_multiples import never_vanishes
 from kinematics.cells import AngleUnit
 from kinematics.errors import Fault, FormSizeError
