@@ -6,8 +6,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinematics.evaluation.plan import plan_of
-from kinematics.jacobian import RANK_TOLERANCE, Numbers, characteristic_length, jacobian
+from kinematics.jacobian import RANK_TOLERANCE, characteristic_length, jacobian
 from kinematics.joint_values import one_configuration
+from kinematics.se3 import Floats
 from kinematics.table import JointType, NumericTable
 
 
@@ -20,8 +21,8 @@ class Ellipsoid:
         radii: (3,) the radii along them, 0 where the tool cannot move that way.
     """
 
-    axes: Numbers
-    radii: Numbers
+    axes: Floats
+    radii: Floats
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -38,7 +39,7 @@ class VelocityEllipsoids:
 
     translation: Ellipsoid
     rotation: Ellipsoid
-    blocked: Numbers
+    blocked: Floats
     length: float
 
 
@@ -68,7 +69,7 @@ def velocity_ellipsoids(
     )
 
 
-def _ellipsoid(J: Numbers) -> Ellipsoid:
+def _ellipsoid(J: Floats) -> Ellipsoid:
     U, sigma, _ = np.linalg.svd(J)
     radii = np.zeros(3)
     rank = _rank(sigma)
@@ -76,16 +77,16 @@ def _ellipsoid(J: Numbers) -> Ellipsoid:
     return Ellipsoid(axes=_signed(U.T), radii=radii)
 
 
-def _rank(sigma: Numbers) -> int:
+def _rank(sigma: Floats) -> int:
     return int(np.count_nonzero(sigma > RANK_TOLERANCE * sigma.max(initial=0.0)))
 
 
-def _signed(rows: Numbers) -> Numbers:
+def _signed(rows: Floats) -> Floats:
     """The rows with their largest entry positive: an SVD leaves the sign to chance."""
     if not len(rows):
         return rows
     largest = rows[
         np.arange(len(rows)), np.argmax(np.abs(rows) > 0.999 * np.abs(rows).max(axis=1)[:, None], axis=1)
     ]
-    signed: Numbers = rows * np.sign(largest)[:, None]
+    signed: Floats = rows * np.sign(largest)[:, None]
     return signed

@@ -2,9 +2,9 @@
 
 from numpy.typing import ArrayLike
 
-from kinematics.evaluation.plan import EvaluationPlan, Floats, Quantity, plan_of
+from kinematics.evaluation.plan import EvaluationPlan, Quantity, plan_of
 from kinematics.joint_values import configurations, many_configurations, one_configuration
-from kinematics.se3 import Transform
+from kinematics.se3 import Floats, Transform
 from kinematics.table import NumericTable
 
 

@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import TypeAlias
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -12,12 +11,11 @@ from kinematics.dh import MotionKind
 from kinematics.evaluation.plan import EvaluationPlan, Quantity, plan_of
 from kinematics.evaluation.recurrences import LinkMotions
 from kinematics.joint_values import configurations
+from kinematics.se3 import Floats
 from kinematics.table import JointType, NumericTable
 
 RANK_TOLERANCE = 1e-9
 """Singular values below this part of the largest are zero: no joint is known better than to 1e-9 rad."""
-
-Numbers: TypeAlias = NDArray[np.float64]
 
 
 class JacobianFrame(StrEnum):
@@ -32,7 +30,7 @@ class JacobianFrame(StrEnum):
 
 
 _QUANTITY = {JacobianFrame.BASE: Quantity.BASE_JACOBIAN, JacobianFrame.END: Quantity.END_JACOBIAN}
-_SAMPLED: WeakKeyDictionary[EvaluationPlan, Numbers] = WeakKeyDictionary()
+_SAMPLED: WeakKeyDictionary[EvaluationPlan, Floats] = WeakKeyDictionary()
 
 
 def jacobian(
@@ -42,7 +40,7 @@ def jacobian(
     *,
     base: ArrayLike | None = None,
     tool: ArrayLike | None = None,
-) -> Numbers:
+) -> Floats:
     """Return the geometric Jacobian: (v, ω) = J(q) dq/dt.
 
     v is the velocity of the tool's origin, ω the angular velocity of the tool. A revolute joint about z_i
@@ -88,12 +86,12 @@ class Mobility:
             Yoshikawa's √det(J Jᵀ) in the directions that the arm has. It depends on the unit of length.
     """
 
-    singular_values: Numbers
+    singular_values: Floats
     rank: NDArray[np.int64]
     generic_rank: int
     singular: NDArray[np.bool_]
-    condition: Numbers
-    manipulability: Numbers
+    condition: Floats
+    manipulability: Floats
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -156,7 +154,7 @@ def dexterity(
     )
 
 
-def _mobility(plain: Numbers, scaled: Numbers, sampled: Numbers, tolerance: float) -> Mobility:
+def _mobility(plain: Floats, scaled: Floats, sampled: Floats, tolerance: float) -> Mobility:
     values = _singular_values(scaled)
     generic = int(_rank(_singular_values(sampled), tolerance).max(initial=0))
     rank = _rank(values, tolerance)
@@ -180,22 +178,22 @@ def characteristic_length(chain: LinkMotions) -> float:
     return sum(abs(motion.first) for motion in constant) or 1.0
 
 
-def _dimensionless(plain: Numbers, chain: LinkMotions, length: float) -> Numbers:
+def _dimensionless(plain: Floats, chain: LinkMotions, length: float) -> Floats:
     rows = np.array([1 / length] * 3 + [1.0] * 3)[:, None]
     columns = np.array([length if kind is JointType.PRISMATIC else 1.0 for kind in chain.joint_types])
-    scaled: Numbers = plain * rows * columns
+    scaled: Floats = plain * rows * columns
     return scaled
 
 
-def _singular_values(matrices: Numbers) -> Numbers:
+def _singular_values(matrices: Floats) -> Floats:
     return np.asarray(np.linalg.svd(matrices, compute_uv=False), dtype=np.float64)
 
 
-def _rank(values: Numbers, tolerance: float) -> NDArray[np.int64]:
+def _rank(values: Floats, tolerance: float) -> NDArray[np.int64]:
     return np.asarray(np.count_nonzero(values > tolerance * values[..., :1], axis=-1), dtype=np.int64)
 
 
-def _sampled_jacobians(plan: EvaluationPlan, length: float) -> Numbers:
+def _sampled_jacobians(plan: EvaluationPlan, length: float) -> Floats:
     """Dimensionless Jacobians in sixteen pseudo-random configurations, the same ones each time."""
     found = _SAMPLED.get(plan)
     if found is None:

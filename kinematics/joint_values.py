@@ -1,15 +1,13 @@
 """Joint values as callers give them: one configuration, or a batch of them."""
 
 from math import isfinite
-from typing import TypeAlias
 
 import numpy as np
 from numpy import ndarray
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from kinematics.errors import Fault, JointValueError
-
-Floats: TypeAlias = NDArray[np.float64]
+from kinematics.se3 import Floats
 
 MOST_FAULTS = 16  # Places that are named; a batch of NaN has a hundred thousand of them.
 

@@ -4,14 +4,10 @@ Every function takes (…, 4, 4) transforms and keeps their leading axes; conven
 gimbal lock, half turns and the identity are those of the function for one pose.
 """
 
-from typing import TypeAlias
-
 import numpy as np
-from numpy.typing import NDArray
 
 from kinematics.poses import GIMBAL_LOCK, NOISE, SIGN_NOISE
-
-Floats: TypeAlias = NDArray[np.float64]
+from kinematics.se3 import Floats
 
 
 def quaternions_from_transforms(transforms: Floats) -> Floats:

@@ -5,11 +5,10 @@ from enum import StrEnum
 
 import numpy as np
 from numpy.polynomial import Polynomial
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from kinematics.joint_values import one_configuration
-
-Numbers = NDArray[np.float64]
+from kinematics.se3 import Floats
 
 
 class TimeScaling(StrEnum):
@@ -40,10 +39,10 @@ class JointTrajectory:
         accelerations: (m, n) the rates of these [per s²].
     """
 
-    times: Numbers
-    positions: Numbers
-    velocities: Numbers
-    accelerations: Numbers
+    times: Floats
+    positions: Floats
+    velocities: Floats
+    accelerations: Floats
 
 
 def joint_trajectory(

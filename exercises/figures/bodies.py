@@ -9,9 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from exercises.figures.camera import Array, Camera
+from exercises.figures.camera import Camera
 from exercises.figures.geometry import FigureJointAxis
-from kinematics.se3 import cross_arrays
+from kinematics.se3 import Floats, cross_arrays
 from kinematics.table import JointType
 
 RADIUS = 0.036  # Radius of a cylinder, relative to the size of the robot.
@@ -35,13 +35,13 @@ class Body:
     """
 
     type: JointType
-    centre: Array
-    axis: Array
-    across: tuple[Array, Array]
+    centre: Floats
+    axis: Floats
+    across: tuple[Floats, Floats]
     radius: float
     half: float
 
-    def front(self, on_paper: Array, eye: Array) -> Array:
+    def front(self, on_paper: Floats, eye: Floats) -> Floats:
         """Return the depth at which rays towards the eye leave the body, minus infinity where they miss it.
 
         Args:
@@ -129,7 +129,7 @@ def _block(body: Body, camera: Camera) -> list[tuple[str, str]]:
     return faces
 
 
-def _slab(position: Array, speed: float, half: float) -> tuple[Array, Array]:
+def _slab(position: Floats, speed: float, half: float) -> tuple[Floats, Floats]:
     """Interval of ray parameters between two planes."""
     if abs(speed) < 1e-12:
         inside = np.abs(position) <= half
@@ -138,7 +138,7 @@ def _slab(position: Array, speed: float, half: float) -> tuple[Array, Array]:
     return ends.min(axis=0), ends.max(axis=0)
 
 
-def _tube(relative: Array, axis: Array, eye: Array, radius: float) -> tuple[Array, Array]:
+def _tube(relative: Floats, axis: Floats, eye: Floats, radius: float) -> tuple[Floats, Floats]:
     """Interval of ray parameters inside an endless cylinder."""
     position = relative - np.outer(relative @ axis, axis)
     speed = eye - (eye @ axis) * axis

@@ -3,14 +3,12 @@
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from exercises.figures.specification import View
-
-Array: TypeAlias = NDArray[np.float64]
+from kinematics.se3 import Floats
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -25,21 +23,21 @@ class Camera:
         shift: position on paper of the origin of space.
     """
 
-    right: Array
-    up: Array
-    eye: Array
+    right: Floats
+    up: Floats
+    eye: Floats
     scale: float = 1.0
     shift: tuple[float, float] = (0.0, 0.0)
 
-    def project(self, points: ArrayLike) -> Array:
+    def project(self, points: ArrayLike) -> Floats:
         """Return (…, 3) points in space as (…, 2) points on paper, y downwards."""
         p = np.asarray(points, dtype=np.float64)
-        found: Array = np.empty((*p.shape[:-1], 2))
+        found: Floats = np.empty((*p.shape[:-1], 2))
         found[..., 0] = p @ self.right * self.scale + self.shift[0]
         found[..., 1] = -(p @ self.up) * self.scale + self.shift[1]
         return found
 
-    def depth(self, points: ArrayLike) -> Array:
+    def depth(self, points: ArrayLike) -> Floats:
         """Return (…, 3) points in space as (…) distances towards the eye; the larger, the nearer."""
         return np.asarray(np.asarray(points, dtype=np.float64) @ self.eye, dtype=np.float64)
 

@@ -3,12 +3,12 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from exercises.figures.camera import Array
 from exercises.figures.dimensioning import OFFSETS, USUAL_OFFSET, DimensionWay, dimension_ways
 from exercises.figures.drawing import drawn
 from exercises.figures.geometry import Scene
 from exercises.figures.specification import View
 from kinematics.frames.wrong_frames import DrawnFrame
+from kinematics.se3 import Floats
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -64,5 +64,5 @@ def dimension_layout(
     return DimensionLayout(box=drawing.box(), distances=OFFSETS, usual=USUAL_OFFSET, places=tuple(places))
 
 
-def _pair(point: Array) -> tuple[float, float]:
+def _pair(point: Floats) -> tuple[float, float]:
     return round(float(point[0]), 2), round(float(point[1]), 2)

@@ -4,11 +4,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from exercises.figures.camera import Array, Camera
+from exercises.figures.camera import Camera
 from exercises.figures.geometry import Dimension
 from exercises.figures.placement import CELL, Cells, PaperMap, Places, places
 from exercises.figures.svg import Canvas, line, text_width
-from kinematics.se3 import cross_arrays
+from kinematics.se3 import Floats, cross_arrays
 
 FONT_SIZE = 18.0
 OFFSETS = (0.0, 22.0, 36.0, 52.0, 70.0, 92.0)
@@ -26,13 +26,13 @@ class DimensionLine:
     """A dimension on paper: ends of its line, extension lines, arrows in- or outside, place of the name."""
 
     name: str
-    start: Array
-    end: Array
-    extensions: tuple[tuple[Array, Array], ...]
+    start: Floats
+    end: Floats
+    extensions: tuple[tuple[Floats, Floats], ...]
     outside: bool
-    label: Array
+    label: Floats
 
-    def drawn_line(self) -> tuple[Array, Array]:
+    def drawn_line(self) -> tuple[Floats, Floats]:
         """Return the ends of the line that is drawn, with the tails of arrows that stand outside."""
         if not self.outside:
             return self.start, self.end
@@ -93,7 +93,7 @@ def dimension_places(dimension: Dimension, camera: Camera, paper: PaperMap) -> P
     )
 
 
-def _cells_of_lines(drawn: Array, offsets: Array, paper: PaperMap) -> Cells:
+def _cells_of_lines(drawn: Floats, offsets: Floats, paper: PaperMap) -> Cells:
     """(n, k) cells under a line moved by each of (n, 2) offsets."""
     length = float(np.linalg.norm(drawn[1] - drawn[0]))
     count = max(2, int(length / CELL) + 1)
@@ -101,7 +101,7 @@ def _cells_of_lines(drawn: Array, offsets: Array, paper: PaperMap) -> Cells:
     return paper.cells(offsets[:, None] + run)
 
 
-def _cells_of_extensions(ends: Array, units: Array, paper: PaperMap) -> Cells:
+def _cells_of_extensions(ends: Floats, units: Floats, paper: PaperMap) -> Cells:
     """(n, k) cells under both extension lines, for each direction and each of the distances."""
     cells = paper.cells(ends[:, None, None, None] + units[:, None, None] * _EXTENSIONS[:, :, None])
     cells[:, :, 0] = paper.nowhere  # a line that was not moved has none
@@ -121,7 +121,7 @@ class DimensionWay:
     shift: tuple[float, float]
 
 
-def dimension_ways(dimension: Dimension, camera: Camera) -> tuple[tuple[Array, Array], list[DimensionWay]]:
+def dimension_ways(dimension: Dimension, camera: Camera) -> tuple[tuple[Floats, Floats], list[DimensionWay]]:
     """Return the ends of a dimension on paper, and the ways in which its line may be moved: one of a kind."""
     ends = np.array([dimension.start, dimension.end])
     on_paper = camera.project(ends)
@@ -139,7 +139,7 @@ def dimension_ways(dimension: Dimension, camera: Camera) -> tuple[tuple[Array, A
     return (on_paper[0], on_paper[1]), ways
 
 
-def _triple(vector: Array) -> tuple[float, float, float]:
+def _triple(vector: Floats) -> tuple[float, float, float]:
     x, y, z = (round(float(value), 4) + 0.0 for value in vector)
     return x, y, z
 
@@ -165,7 +165,7 @@ def draw_name(canvas: Canvas, dimension: DimensionLine) -> None:
     halo(canvas, dimension.label, dimension.name, FONT_SIZE, font_style="italic")
 
 
-def halo(canvas: Canvas, centre: Array, name: str, size: float, **attributes: str) -> None:
+def halo(canvas: Canvas, centre: Floats, name: str, size: float, **attributes: str) -> None:
     """Write a name with a rim of the colour of the paper around its letters."""
     canvas.text(
         centre,
@@ -180,7 +180,9 @@ def halo(canvas: Canvas, centre: Array, name: str, size: float, **attributes: st
     )
 
 
-def _directions(dimension: Dimension, ends: Array, on_paper: Array, camera: Camera) -> tuple[Array, Array]:
+def _directions(
+    dimension: Dimension, ends: Floats, on_paper: Floats, camera: Camera
+) -> tuple[Floats, Floats]:
     """(n, 2) unit vectors on paper in which the dimension line may be moved, with what each costs."""
     along = (ends[1] - ends[0]) / np.linalg.norm(ends[1] - ends[0])
     screen = cross_arrays(along, camera.eye)
@@ -202,7 +204,7 @@ _DIRECTION_COSTS = np.array([-60.0, *[0.0] * 6, 15.0, 15.0])
 _WISHED = -30.0  # What the direction that was wished for costs, those of the axes, and those along the paper.
 
 
-def _longest_extension() -> Array:
+def _longest_extension() -> Floats:
     """(distances, samples) how far from the point the samples of an extension line lie."""
     lengths = [distance + BEYOND - GAP for distance in OFFSETS]
     counts = [max(2, int(length / CELL) + 1) for length in lengths]
@@ -217,8 +219,8 @@ _EXTENSIONS = _longest_extension()
 
 
 def _label_places(
-    ends: Array, along: Array, normal: Array, half: Array, outside: bool
-) -> tuple[Array, Array]:
+    ends: Floats, along: Floats, normal: Floats, half: Floats, outside: bool
+) -> tuple[Floats, Floats]:
     """(m, 2) places for a name beside a line, beyond its ends if the arrows stand outside; their costs."""
     away = float(abs(normal[0]) * half[0] + abs(normal[1]) * half[1]) + 4.0
     beside = ends[0] + _BESIDE[:, :1] * (ends[1] - ends[0]) + _BESIDE[:, 1:2] * normal * away
@@ -239,17 +241,17 @@ _BESIDE = np.array(
 _BESIDE_AND_BEYOND = np.array([*_BESIDE[:, 2], 2.0, 2.0])
 
 
-def _sides(count: int) -> Array:
+def _sides(count: int) -> Floats:
     """On which side each of the places stands: 0 beyond the ends."""
     return np.array([*_BESIDE[:, 1], 0.0, 0.0])[:count]
 
 
-def _head(tip: Array, direction: Array) -> str:
+def _head(tip: Floats, direction: Floats) -> str:
     back = tip - direction * HEAD[0]
     side = np.array([-direction[1], direction[0]]) * HEAD[1]
     return line([tip, back + side, back - side]) + "Z"
 
 
-def _unit(vector: Array) -> Array:
+def _unit(vector: Floats) -> Floats:
     length = float(np.linalg.norm(vector))
     return vector / length if length > 1e-9 else np.array([1.0, 0.0])

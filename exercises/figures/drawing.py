@@ -8,7 +8,7 @@ import numpy as np
 
 from exercises.figures import dimensioning
 from exercises.figures.bodies import Body, body_of, corners, outline
-from exercises.figures.camera import Array, Camera, camera_for, fitted
+from exercises.figures.camera import Camera, camera_for, fitted
 from exercises.figures.dimensioning import DimensionLine, halo
 from exercises.figures.geometry import Scene, scene_points
 from exercises.figures.labels import DISC, NAME_SIZE, Written, name_places, number_places
@@ -27,6 +27,7 @@ from exercises.figures.specification import View
 from exercises.figures.strokes import in_front
 from exercises.figures.svg import Canvas, SvgDrawing, line, text_width
 from kinematics.frames.wrong_frames import DrawnFrame
+from kinematics.se3 import Floats
 from kinematics.table import JointType
 
 HEIGHT = 450.0
@@ -76,7 +77,7 @@ class Drawing:
         scene: Scene,
         bodies: Sequence[Body],
         camera: Camera,
-        extent: Array,
+        extent: Floats,
         width: float,
         frames: Sequence[Arrow],
     ) -> None:
@@ -88,7 +89,7 @@ class Drawing:
         high = points.max(axis=0)
         top = float(low[1]) - 110.0
         self.paper = PaperMap(4.0 - MARGIN, top, width - 8.0, float(high[1]) + 110.0 - top)
-        self.seen: list[Array] = [points]
+        self.seen: list[Floats] = [points]
         self.dimensions: list[DimensionLine] = []
 
     def draw(self) -> None:
@@ -141,10 +142,10 @@ class Drawing:
 
     def take(
         self,
-        axes: Sequence[tuple[Array, Array]],
-        senses: Sequence[tuple[Array, ...]],
-        gripper: Sequence[Array],
-        ground: Sequence[tuple[Array, float]],
+        axes: Sequence[tuple[Floats, Floats]],
+        senses: Sequence[tuple[Floats, ...]],
+        gripper: Sequence[Floats],
+        ground: Sequence[tuple[Floats, float]],
     ) -> None:
         """Mark on the map what is drawn before anything is placed."""
         paper, camera = self.paper, self.camera
@@ -165,7 +166,7 @@ class Drawing:
             self.seen.append(arrow.ends)
 
     def place(
-        self, axes: Sequence[tuple[Array, Array]], senses: Sequence[tuple[Array, ...]]
+        self, axes: Sequence[tuple[Floats, Floats]], senses: Sequence[tuple[Floats, ...]]
     ) -> tuple[list[DimensionLine], list[Written]]:
         """Places of the joints' numbers, the points' names, the variables' names and the dimensions."""
         scene, camera, paper = self.scene, self.camera, self.paper
@@ -190,7 +191,7 @@ class Drawing:
 
     # drawing
 
-    def strokes(self, axes: Sequence[tuple[Array, Array]]) -> None:
+    def strokes(self, axes: Sequence[tuple[Floats, Floats]]) -> None:
         """Axes and links, the bodies over them, and whatever passes before a body once more."""
         dash: Style = {"stroke": "currentColor", "stroke_width": 1.3, "stroke_dasharray": "11 3.5 1 3.5"}
         self.draw_links([line(self.camera.project(chain)) for chain in self.links], "round")
@@ -247,7 +248,7 @@ class Drawing:
         self.seen.append(np.array([at, at + NOTE_SIZE / 2]))
         self.canvas.text(at, note, "note", NOTE_SIZE, fill="currentColor", fill_opacity=0.75)
 
-    def draw_sense(self, sense: tuple[Array, ...]) -> None:
+    def draw_sense(self, sense: tuple[Floats, ...]) -> None:
         """The arrow of a variable, if it has one."""
         if sense:
             run, head, _ = sense
@@ -255,7 +256,7 @@ class Drawing:
             self.canvas.path(line(head), "sense", stroke="currentColor", stroke_width=1.6)
 
 
-def _extent(scene: Scene, bodies: Sequence[Body]) -> Array:
+def _extent(scene: Scene, bodies: Sequence[Body]) -> Floats:
     """(n, 3) points in space that must be on the paper: links, points, bodies and their axes."""
     points = list(scene_points(scene))
     for axis, body in zip(scene.axes, bodies, strict=True):

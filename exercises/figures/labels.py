@@ -5,10 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from exercises.figures.bodies import Body
-from exercises.figures.camera import Array, Camera
+from exercises.figures.camera import Camera
 from exercises.figures.geometry import FigureJointAxis
 from exercises.figures.placement import PaperMap, Places, places
 from exercises.figures.svg import text_width
+from kinematics.se3 import Floats
 from kinematics.table import JointType
 
 DISC = 10.5
@@ -22,11 +23,11 @@ class Written:
     """A joint's number at the end of its axis, or the name of a point beside it."""
 
     text: str
-    at: Array
+    at: Floats
 
 
 def number_places(
-    axis: FigureJointAxis, body: Body, ends: Array, camera: Camera, paper: PaperMap
+    axis: FigureJointAxis, body: Body, ends: Floats, camera: Camera, paper: PaperMap
 ) -> Places[Written]:
     """Return a joint's number beyond either of the (2, 2) ends of its axis, or beside its body."""
     start, end = ends
@@ -51,7 +52,7 @@ def number_places(
     return _written(str(axis.joint), np.concatenate([*beyond, beside]), (2 * DISC, 2 * DISC), costs, paper)
 
 
-def name_places(name: str, centre: Array, paper: PaperMap) -> Places[Written]:
+def name_places(name: str, centre: Floats, paper: PaperMap) -> Places[Written]:
     """Return a name around a point."""
     width = text_width(name, NAME_SIZE)
     turned = np.abs(_TURNS) @ np.array([width / 2, NAME_SIZE / 2])
@@ -70,7 +71,7 @@ _ODD, _AWAY = _AROUND[:, 1], _AROUND[:, 2]
 
 
 def _written(
-    text: str, centres: Array, size: tuple[float, float], costs: Array, paper: PaperMap
+    text: str, centres: Floats, size: tuple[float, float], costs: Floats, paper: PaperMap
 ) -> Places[Written]:
     def choose(_: int, place: int) -> Written:
         return Written(text=text, at=centres[place])

@@ -8,7 +8,7 @@ from typing import Generic, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from exercises.figures.camera import Array
+from kinematics.se3 import Floats
 
 CELL = 2.5  # Side of a cell of the map, in units of paper.
 
@@ -38,9 +38,9 @@ class PaperMap:
         self.nowhere = self.rows * self.columns
         self._flat = np.zeros(self.nowhere + 2)
         self._flat[-1] = OUTSIDE
-        self.taken: Array = self._flat[: self.nowhere].reshape(self.rows, self.columns)
+        self.taken: Floats = self._flat[: self.nowhere].reshape(self.rows, self.columns)
 
-    def cells(self, points: Array) -> Cells:
+    def cells(self, points: Floats) -> Cells:
         """Return (…, n) cells under runs of (…, n, 2) points.
 
         A cell that follows itself in a run is returned once.
@@ -53,7 +53,7 @@ class PaperMap:
         flat[..., 1:][again] = self.nowhere
         return flat
 
-    def along(self, points: Array, shifts: Array = UNMOVED) -> Cells:
+    def along(self, points: Floats, shifts: Floats = UNMOVED) -> Cells:
         """Return (s, k) cells under a polyline of (n, 2) points, moved by each of (s, 2) shifts."""
         steps = points[1:] - points[:-1]
         counts = np.maximum(2, np.hypot(steps[:, 0], steps[:, 1]) / CELL + 1).astype(np.intp)
@@ -63,7 +63,7 @@ class PaperMap:
         ]
         return self.cells(np.concatenate(pieces) + shifts[:, None])
 
-    def inside(self, hull: Array) -> Cells:
+    def inside(self, hull: Floats) -> Cells:
         """Return cells inside the convex hull of points."""
         corners = convex_hull(hull)
         low, high = hull.min(axis=0), hull.max(axis=0)
@@ -78,13 +78,13 @@ class PaperMap:
         """Return how many cells in a row, or in a column, a stretch covers wherever it begins."""
         return ceil(length / CELL) + 1
 
-    def firsts(self, centres: Array, width: float, height: float) -> tuple[Cells, Cells]:
+    def firsts(self, centres: Floats, width: float, height: float) -> tuple[Cells, Cells]:
         """Return first rows and first columns of the windows under rectangles about (…, 2) points."""
         rows = np.floor((centres[..., 1] - (self.top + height / 2)) / CELL)
         columns = np.floor((centres[..., 0] - (self.left + width / 2)) / CELL)
         return rows.astype(np.intp), columns.astype(np.intp)
 
-    def view(self, row: int, column: int, height: int, width: int) -> Array:
+    def view(self, row: int, column: int, height: int, width: int) -> Floats:
         """Return what is on the map of a window of cells."""
         return self.taken[max(row, 0) : max(row + height, 0), max(column, 0) : max(column + width, 0)]
 
@@ -94,13 +94,13 @@ class PaperMap:
         weight = float(_total(view, None))
         return weight if view.size == height * width else weight + OUTSIDE
 
-    def mark_square(self, centre: Array, side: float, weight: float) -> None:
+    def mark_square(self, centre: Floats, side: float, weight: float) -> None:
         """Add what stands in the cells of a square about a point."""
         row, column = self.firsts(centre, side, side)
         view = self.view(int(row), int(column), self.window(side), self.window(side))
         view += weight
 
-    def cost(self, cells: Cells) -> Array:
+    def cost(self, cells: Cells) -> Floats:
         """Return (…) weight of what each run of (…, n) cells would cover."""
         return np.asarray(_total(self._flat[cells], -1))
 
@@ -129,7 +129,7 @@ class Places(Generic[Choice]):
 
     lines: Cells | None = None
     faint: Cells | None = None
-    penalties: Array
+    penalties: Floats
     rows: Cells
     columns: Cells
     window: tuple[int, int]
@@ -138,9 +138,9 @@ class Places(Generic[Choice]):
 
 def places(
     paper: PaperMap,
-    centres: Array,
+    centres: Floats,
     size: tuple[float, float],
-    penalties: Array,
+    penalties: Floats,
     choose: Callable[[int, int], Choice],
     *,
     lines: Cells | None = None,
@@ -213,7 +213,7 @@ class Placer(Generic[Choice]):
         view += sign * self.label_weight
 
 
-def convex_hull(points: Array) -> Array:
+def convex_hull(points: Floats) -> Floats:
     """Return corners of the convex hull, in the order in which edge × (point − corner) ≥ 0 inside."""
     ordered = sorted({(x, y) for x, y in points.tolist()})
 

@@ -6,11 +6,11 @@ from typing import NamedTuple
 import numpy as np
 
 from exercises.figures.bodies import Body
-from exercises.figures.camera import Array, Camera
+from exercises.figures.camera import Camera
 from exercises.figures.geometry import FigureJointAxis, Scene, close
 from exercises.figures.svg import Canvas, line
 from kinematics.frames.wrong_frames import DrawnFrame
-from kinematics.se3 import cross_arrays
+from kinematics.se3 import Floats, cross_arrays
 from kinematics.table import JointType
 
 REACH = 0.11  # How far an axis is drawn beyond its body, relative to the size of the robot.
@@ -18,14 +18,14 @@ REACH = 0.11  # How far an axis is drawn beyond its body, relative to the size o
 FINGER = 0.05  # Length of a gripper's fingers, relative to the size of the robot.
 
 
-def axis_ends(axis: FigureJointAxis, body: Body, size: float) -> tuple[Array, Array]:
+def axis_ends(axis: FigureJointAxis, body: Body, size: float) -> tuple[Floats, Floats]:
     """Return the ends in space of the axis as drawn, against its direction first."""
     reach = body.half + REACH * size * axis.reach
     direction = np.array(axis.direction)
     return body.centre - direction * reach, body.centre + direction * reach
 
 
-def sense_arrow(axis: FigureJointAxis, body: Body, size: float, camera: Camera) -> tuple[Array, ...]:
+def sense_arrow(axis: FigureJointAxis, body: Body, size: float, camera: Camera) -> tuple[Floats, ...]:
     """Return on paper the arrow of the positive sense, its head, and where its name belongs; or nothing."""
     if not axis.signed:
         return ()
@@ -48,7 +48,7 @@ def sense_arrow(axis: FigureJointAxis, body: Body, size: float, camera: Camera) 
     return run, head, run[0]
 
 
-def gripper_lines(scene: Scene, camera: Camera) -> list[Array]:
+def gripper_lines(scene: Scene, camera: Camera) -> list[Floats]:
     """Return on paper palm and two fingers."""
     gripper = scene.gripper
     if gripper is None:
@@ -62,7 +62,7 @@ def gripper_lines(scene: Scene, camera: Camera) -> list[Array]:
     return [camera.project(np.array([tip - side, palm - side, palm + side, tip + side]))]
 
 
-def ground_lines(scene: Scene, camera: Camera) -> list[tuple[Array, float]]:
+def ground_lines(scene: Scene, camera: Camera) -> list[tuple[Floats, float]]:
     """Return on paper the line of the ground and the hatches behind it, with their widths."""
     ground = scene.ground
     if ground is None:
@@ -72,14 +72,14 @@ def ground_lines(scene: Scene, camera: Camera) -> list[tuple[Array, float]]:
     out = out / max(float(np.linalg.norm(out)), 1e-9)
     along = np.array([-out[1], out[0]])
     half, step, deep = 32.0, 8.0, 9.0
-    lines: list[tuple[Array, float]] = [(np.array([at - along * half, at + along * half]), 2.0)]
+    lines: list[tuple[Floats, float]] = [(np.array([at - along * half, at + along * half]), 2.0)]
     for k in np.arange(-half + 4, half + 0.1, step):
         foot = at + along * k
         lines.append((np.array([foot, foot - out * deep - along * deep * 0.8]), 1.0))
     return lines
 
 
-def trimmed(chain: Array, scene: Scene) -> Array:
+def trimmed(chain: Floats, scene: Scene) -> Floats:
     """Return the chain, ending at the palm where it would run on between the jaws of the gripper."""
     gripper = scene.gripper
     if gripper is None or not close(chain[-1], gripper.at):
@@ -88,7 +88,7 @@ def trimmed(chain: Array, scene: Scene) -> Array:
     return np.concatenate([chain[:-1], palm[None]])
 
 
-def _widest(direction: Array, camera: Camera) -> Array:
+def _widest(direction: Floats, camera: Camera) -> Floats:
     """The coordinate direction square to a direction that is longest on paper."""
     square = [axis - direction * (axis @ direction) for axis in np.eye(3)]
     best = max(square, key=lambda v: float(np.linalg.norm(camera.project(v) - camera.project(np.zeros(3)))))
@@ -109,7 +109,7 @@ class Arrow(NamedTuple):
 
     name: str
     axis: str
-    ends: Array
+    ends: Floats
 
 
 def arrows(frames: Mapping[int, DrawnFrame], size: float, camera: Camera) -> list[Arrow]:

@@ -12,7 +12,6 @@ from itertools import pairwise
 
 import numpy as np
 
-from exercises.figures.camera import Array
 from exercises.figures.specification import (
     DimensionMark,
     FigureSpecification,
@@ -32,6 +31,7 @@ from kinematics.expressions import (
     number,
     rational_value,
 )
+from kinematics.se3 import Floats
 from kinematics.table import Convention, JointType, SymbolicTable, bind
 
 CLOSE = 0.05  # Bodies closer than this, relative to the robot's reach, move apart.
@@ -54,7 +54,7 @@ def completed(
     specification: FigureSpecification,
     reference: SymbolicTable,
     values: Mapping[str, float],
-    frames: Sequence[Array],
+    frames: Sequence[Floats],
 ) -> FigureSpecification:
     """Complete the specification with links, bodies, dimensions and ground where it says nothing.
 
@@ -107,7 +107,7 @@ def _chain(table: SymbolicTable, joints: Mapping[int, JointMark]) -> tuple[str, 
 
 
 def _bodies(
-    table: SymbolicTable, frames: Sequence[Array], points: dict[str, Point], reach: float
+    table: SymbolicTable, frames: Sequence[Floats], points: dict[str, Point], reach: float
 ) -> list[tuple[int, JointMark]]:
     """A body per joint in the middle of its offset d, moved along the axis where two would meet."""
     standard = table.convention is Convention.STANDARD
@@ -120,7 +120,7 @@ def _bodies(
     return [(joint, JointMark(at=f"joint{joint}")) for joint in range(1, table.n_joints + 1)]
 
 
-def _centre(table: SymbolicTable, frames: Sequence[Array], joint: int) -> Array:
+def _centre(table: SymbolicTable, frames: Sequence[Floats], joint: int) -> Floats:
     """The middle of a joint's offset d."""
     i = table.joint_rows[joint - 1]
     pose, other = frames[i : i + 2] if table.convention is Convention.STANDARD else frames[i : i + 2][::-1]
@@ -128,7 +128,7 @@ def _centre(table: SymbolicTable, frames: Sequence[Array], joint: int) -> Array:
     return np.asarray(pose[:3, 3] + 0.5 * along * pose[:3, 2], dtype=np.float64)
 
 
-def _stands_on_base(table: SymbolicTable, frames: Sequence[Array], reach: float) -> bool:
+def _stands_on_base(table: SymbolicTable, frames: Sequence[Floats], reach: float) -> bool:
     """Whether joint 1 stands straight above O0."""
     if not table.joint_rows:
         return False
@@ -136,7 +136,7 @@ def _stands_on_base(table: SymbolicTable, frames: Sequence[Array], reach: float)
     return bool(abs(x) + abs(y) < 1e-6 * reach and rise > ABOVE * reach)
 
 
-def _groups(centres: Sequence[Array], close: float) -> list[list[int]]:
+def _groups(centres: Sequence[Floats], close: float) -> list[list[int]]:
     groups: list[list[int]] = []
     for joint, centre in enumerate(centres, 1):
         if groups and np.linalg.norm(centres[groups[-1][-1] - 1] - centre) < close:
@@ -149,10 +149,10 @@ def _groups(centres: Sequence[Array], close: float) -> list[list[int]]:
 def _spread(
     group: Sequence[int],
     table: SymbolicTable,
-    frames: Sequence[Array],
+    frames: Sequence[Floats],
     points: dict[str, Point],
     reach: float,
-    centres: Sequence[Array],
+    centres: Sequence[Floats],
 ) -> None:
     """Bodies whose axes run along a link slide onto it, back to the one before or on to the one behind.
 
@@ -180,7 +180,7 @@ def _spread(
         points[name] = PointAlongAxis(origin=f"{name}on", joint=joint, distance=distance)
 
 
-def _bones(table: SymbolicTable, frames: Sequence[Array]) -> list[Array]:
+def _bones(table: SymbolicTable, frames: Sequence[Floats]) -> list[Floats]:
     """O_0, foot_1, O_1, foot_2, …: the feet follow from the frames, for they stand where two axes say so."""
     standard = table.convention is Convention.STANDARD
     bones = [frames[0][:3, 3]]
@@ -191,7 +191,7 @@ def _bones(table: SymbolicTable, frames: Sequence[Array]) -> list[Array]:
     return bones
 
 
-def _away(here: Array, path: Sequence[Array]) -> Array | None:
+def _away(here: Floats, path: Sequence[Floats]) -> Floats | None:
     """The direction to the first point of a path that is elsewhere."""
     for point in path:
         distance = float(np.linalg.norm(point - here))
@@ -200,7 +200,7 @@ def _away(here: Array, path: Sequence[Array]) -> Array | None:
     return None
 
 
-def _runs_along(axis: Array, direction: Array) -> bool:
+def _runs_along(axis: Floats, direction: Floats) -> bool:
     return abs(float(axis @ direction)) > 1 - 1e-6
 
 

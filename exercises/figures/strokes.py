@@ -6,14 +6,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exercises.figures.bodies import Body
-from exercises.figures.camera import Array, Camera
+from exercises.figures.camera import Camera
+from kinematics.se3 import Floats
 
 STEP = 1.5  # Distance on paper between the points at which a line is looked at.
 
 
 def in_front(
-    lines: Sequence[tuple[Array, Array]], bodies: Sequence[Body], camera: Camera
-) -> list[list[tuple[Array, Array]]]:
+    lines: Sequence[tuple[Floats, Floats]], bodies: Sequence[Body], camera: Camera
+) -> list[list[tuple[Floats, Floats]]]:
     """Return the stretches of each line before a body that none hides, as pairs of points on paper.
 
     A figure is drawn in three passes: lines, bodies, and these stretches once more on top.
@@ -34,7 +35,7 @@ def in_front(
     slack = 1e-9 * max(1.0, float(np.abs(depth).max()))
     shown = np.isfinite(nearest) & (depth > nearest + slack)
     on_paper = camera.project(points)
-    found: list[list[tuple[Array, Array]]] = [[] for _ in lines]
+    found: list[list[tuple[Floats, Floats]]] = [[] for _ in lines]
     for start, stop in _runs(shown, firsts):
         if stop - start > 1:
             found[owner[start]].append((on_paper[start], on_paper[stop - 1]))

@@ -14,7 +14,7 @@ from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
 
-from exercises.figures.camera import Array
+from kinematics.se3 import Floats
 
 STYLE = (
     ".framewise-figure{--ink:currentColor;--paper:var(--figure-paper,#fff);--accent:var(--figure-accent,#0b5cad)}"
@@ -40,14 +40,14 @@ class Canvas:
         """Add a path of a role (a class of the style sheet)."""
         self.parts.append(f'<path class="{role}" d="{data}"{_attributes(attributes)}/>')
 
-    def circle(self, centre: Array, radius: float, role: str, **attributes: str | float) -> None:
+    def circle(self, centre: Floats, radius: float, role: str, **attributes: str | float) -> None:
         """Add a circle."""
         self.parts.append(
             f'<circle class="{role}" cx="{centre[0]:.1f}" cy="{centre[1]:.1f}" r="{radius:g}"'
             f"{_attributes(attributes)}/>"
         )
 
-    def text(self, centre: Array, name: str, role: str, size: float, **attributes: str | float) -> None:
+    def text(self, centre: Floats, name: str, role: str, size: float, **attributes: str | float) -> None:
         """Add a name, centred; digits after letters become a subscript."""
         stem, index = split_name(name)
         body = escape(stem)
@@ -79,7 +79,7 @@ def text_width(name: str, size: float) -> float:
     return size * (0.62 * len(stem) + 0.6 * SUBSCRIPT * len(index))
 
 
-def line(points: Sequence[Array] | Array) -> str:
+def line(points: Sequence[Floats] | Floats) -> str:
     """Return the path data of a polyline."""
     return "M" + "L".join([f"{x:.1f} {y:.1f}" for x, y in np.asarray(points).tolist()])
 

@@ -18,9 +18,9 @@ from numpy.typing import NDArray
 from kinematics.angles import cos_sin
 from kinematics.chain import Axis
 from kinematics.equivalence.policy import BaseRule, Policy, ToolRule
+from kinematics.se3 import Floats
 from kinematics.table import LENGTHS, Convention, NumericTable
 
-Floats = NDArray[np.float64]
 Numbers = NDArray[np.complex128]
 CellChange = tuple[int, str, float]  # Row (counted from 0), cell and its new value.
 Variation = tuple[int, Sequence[CellChange]]

@@ -10,7 +10,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import lru_cache
 from itertools import combinations, islice, product
-from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,9 +32,8 @@ from kinematics.expressions import (
     pi_fraction,
     pi_times,
 )
+from kinematics.se3 import Floats
 from kinematics.table import SymbolicTable
-
-Matrix: TypeAlias = NDArray[np.float64]
 
 CLOSE = 1e-8
 """A share of the tables' lengths, or of 1: what the arithmetic leaves of a certificate's entry is some 1e-12,
@@ -167,7 +165,7 @@ class LengthForms:
             if sign
         )
 
-    def _combination(self, goal: Matrix) -> Expression | None:
+    def _combination(self, goal: Floats) -> Expression | None:
         basis = np.column_stack([self._values.T, np.ones(len(goal))])
         if basis.shape[0] < basis.shape[1]:
             return None

@@ -30,7 +30,7 @@ from kinematics.equivalence.measures import (
 )
 from kinematics.equivalence.policy import BaseRule, Policy, ToolRule
 from kinematics.equivalence.reference import Reference
-from kinematics.se3 import ORIGIN, Z_AXIS, Vector, cross, dot, norm, position, unit, z_axis
+from kinematics.se3 import ORIGIN, Z_AXIS, Floats, Vector, cross, dot, norm, position, unit, z_axis
 
 SLACK = 6.0
 """In units of the tolerance of the end frame: the rounded entries of six joints may all add up in one
@@ -42,9 +42,6 @@ STEEPEST = 0.005
 """A sine: between flatter axes, offsets are levered up by more than two hundred. From fifty on they say
 nothing of a pose within the tolerance, but exact numbers are still the key's or not."""
 DIMENSIONS = 3  # Directions that span space leave no distance.
-
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

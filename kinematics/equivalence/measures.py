@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from kinematics.caching import USUAL_INVARIANTS, cached_by_size
 from kinematics.equivalence.batches import AxisBatch
+from kinematics.se3 import Floats
 
-Floats = NDArray[np.float64]
 Places = NDArray[np.intp]
 
 # A sine, and below: the arithmetic leaves 1e-16, and what is nearer to parallel has its normal hundreds of

@@ -13,7 +13,6 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kinematics.chain import Axis, Chain
 from kinematics.equivalence.groups import (
@@ -35,6 +34,7 @@ from kinematics.se3 import (
     IDENTITY,
     ORIGIN,
     Z_AXIS,
+    Floats,
     Motion,
     Vector,
     compose,
@@ -46,8 +46,6 @@ from kinematics.se3 import (
     translation,
     turn_onto,
 )
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

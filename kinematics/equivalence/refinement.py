@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kinematics.chain import Chain, joint_motions
 from kinematics.equivalence.certificates import CertificateCandidate
@@ -23,6 +22,7 @@ from kinematics.equivalence.worst_case import worst_case
 from kinematics.se3 import (
     IDENTITY,
     ORIGIN,
+    Floats,
     Motion,
     Vector,
     compose,
@@ -35,7 +35,6 @@ from kinematics.se3 import (
     turns_between,
 )
 
-Matrix = NDArray[np.float64]
 ROUNDS = 10  # A bound of the work: Gauss–Newton settles in a few rounds or not at all.
 ITERATIONS = 12  # A bound of the work: mostly the bounds from above and below meet within CLOSE before.
 STALLED = 0.9  # A round that takes less than a tenth off the largest error has settled.
@@ -55,11 +54,11 @@ UNROUNDED = 1e-7
 """[rad], and a share of the robot: tolerances below it are asked of tables that nobody rounded."""
 LONGEST_STEP = 0.5  # [rad], and a share of the robot: beyond it the errors are no linear function.
 
-FREE_TWISTS: Matrix = np.eye(6)
-LINE_TWISTS: Matrix = np.eye(6)[:, [2, 5]]
-DIRECTION_TWISTS: Matrix = np.eye(6)[:, [2, 3, 4, 5]]
-POINT_TWISTS: Matrix = np.eye(6)[:, [0, 1, 2]]
-NO_TWISTS: Matrix = np.eye(6)[:, []]
+FREE_TWISTS: Floats = np.eye(6)
+LINE_TWISTS: Floats = np.eye(6)[:, [2, 5]]
+DIRECTION_TWISTS: Floats = np.eye(6)[:, [2, 3, 4, 5]]
+POINT_TWISTS: Floats = np.eye(6)[:, [0, 1, 2]]
+NO_TWISTS: Floats = np.eye(6)[:, []]
 
 
 def refine(
@@ -68,8 +67,8 @@ def refine(
     candidate: CertificateCandidate,
     tolerance: Tolerance,
     *,
-    base_twists: Matrix,
-    tool_twists: Matrix,
+    base_twists: Floats,
+    tool_twists: Floats,
     offsets_free: bool,
     meter: Meter | None = None,
 ) -> tuple[CertificateCandidate, Residual] | None:
@@ -158,8 +157,8 @@ class Model:
         damping: a share of the largest curvature: directions below it are not followed.
     """
 
-    errors: Matrix
-    jacobian: Matrix
+    errors: Floats
+    jacobian: Floats
     found: Residual
     damping: float
 
@@ -167,17 +166,17 @@ class Model:
         """Return how far the linear function may be off, in units of the tolerance."""
         return max(self.found) ** 2 / tolerance.angle
 
-    def after(self, step: Matrix) -> Matrix:
+    def after(self, step: Floats) -> Floats:
         """(samples·2,) sizes of the errors after a step."""
         rest = self.errors - (self.jacobian @ step).reshape(-1, 3)
         return np.asarray(np.sqrt(np.einsum("ij,ij->i", rest, rest)), dtype=np.float64)
 
-    def mean_square(self, step: Matrix | None = None) -> float:
+    def mean_square(self, step: Floats | None = None) -> float:
         """Return the mean square of the errors, now or after a step."""
         sizes = self.after(np.zeros(self.jacobian.shape[1]) if step is None else step)
         return float(np.mean(sizes**2))
 
-    def least_squares(self, weights: Matrix | None = None) -> Matrix:
+    def least_squares(self, weights: Floats | None = None) -> Floats:
         """Return the step that leaves the least sum of weighted squares.
 
         What hardly changes the errors (frames may be turned together; lines that are nearly parallel) is
@@ -192,7 +191,7 @@ class Model:
         step = np.linalg.solve(normal + damping * np.eye(normal.shape[0]), a.T @ b)
         return np.asarray(step / max(1.0, np.abs(step).max() / LONGEST_STEP), dtype=np.float64)
 
-    def least_largest(self) -> tuple[Matrix, float]:
+    def least_largest(self) -> tuple[Floats, float]:
         """Return a step that leaves nearly the smallest largest error, and how large that is at least.
 
         Lawson's iteration: weighted least squares, the weights multiplied by the squares of the errors every
@@ -221,14 +220,14 @@ class RefinementProblem:
     reference: Reference
     submission: Chain
     tolerance: Tolerance
-    base_twists: Matrix
-    tool_twists: Matrix
+    base_twists: Floats
+    tool_twists: Floats
     offsets_free: bool
     meter: Meter | None = None
     damping: float = DAMPING
 
     @property
-    def joint_scales(self) -> Matrix:
+    def joint_scales(self) -> Floats:
         """What one unit of a step means in each joint's offset: a radian, or the robot's size.
 
         Where B is free, it does all that the first offset could; with both free, frame 0 would wander about
@@ -258,17 +257,17 @@ class RefinementProblem:
             damping=self.damping,
         )
 
-    def with_columns(self, model: Model, columns: Sequence[Matrix]) -> Model:
+    def with_columns(self, model: Model, columns: Sequence[Floats]) -> Model:
         """Return a model in which more may change: (samples, 6) how frame N turns and moves with each."""
         more = [(column / self._units).reshape(-1, 1) for column in columns]
         return replace(model, jacobian=np.concatenate([model.jacobian, *more], axis=1))
 
     @property
-    def _units(self) -> Matrix:
+    def _units(self) -> Floats:
         """(6,) the tolerance of a rotation and of a displacement."""
         return np.repeat((self.tolerance.angle, self.tolerance.length * self.reference.size), 3)
 
-    def moved(self, candidate: CertificateCandidate, step: Matrix) -> CertificateCandidate:
+    def moved(self, candidate: CertificateCandidate, step: Floats) -> CertificateCandidate:
         """Return the certificate after a step."""
         n = len(candidate.offsets) if self.offsets_free else 0
         k = self.base_twists.shape[1]
@@ -282,7 +281,7 @@ class RefinementProblem:
         return CertificateCandidate(signs=candidate.signs, offsets=offsets, base=base, tool=tool)
 
 
-def _left_side(submission: Chain, joints: Matrix) -> tuple[Matrix, Matrix]:
+def _left_side(submission: Chain, joints: Floats) -> tuple[Floats, Floats]:
     """F_s (samples, 4, 4), and how frame N turns and moves with each joint (samples, 6, n)."""
     n, samples = joints.shape
     motions = joint_motions(submission, joints) if n else np.empty((0, samples, 4, 4))
@@ -304,7 +303,7 @@ def _left_side(submission: Chain, joints: Matrix) -> tuple[Matrix, Matrix]:
     return left, jacobian
 
 
-def _twists_of_base(right: Matrix) -> Matrix:
+def _twists_of_base(right: Floats) -> Floats:
     """How B·F_r·E moves when B changes from the left: (samples, 6, 6)."""
     twists = np.zeros((right.shape[0], 6, 6))
     twists[:, :3, :3] = np.eye(3)
@@ -316,7 +315,7 @@ def _twists_of_base(right: Matrix) -> Matrix:
     return twists
 
 
-def _twists_of_tool(right: Matrix) -> Matrix:
+def _twists_of_tool(right: Floats) -> Floats:
     """How B·F_r·E moves when E changes from the right: (samples, 6, 6)."""
     twists = np.zeros((right.shape[0], 6, 6))
     twists[:, :3, :3] = right[:, :3, :3]
@@ -324,13 +323,13 @@ def _twists_of_tool(right: Matrix) -> Matrix:
     return twists
 
 
-def _mismatch(left: Matrix, right: Matrix) -> Matrix:
+def _mismatch(left: Floats, right: Floats) -> Floats:
     """The rotation and displacement that take the left side to the right: (samples, 6)."""
     turn = turns_between(left, right)
     return np.concatenate([turn, right[:, :3, 3] - left[:, :3, 3]], axis=1)
 
 
-def _small(twist: Matrix) -> Motion:
+def _small(twist: Floats) -> Motion:
     """Rotation by the first three components, then translation by the others."""
     a, b, c, x, y, z = twist.tolist()
     turn: Vector = (a, b, c)

@@ -16,9 +16,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.caching import USUAL_INVARIANTS, cached_by_size
-from kinematics.equivalence.batches import Floats, Variation, axes_of_tables, cells_of_tables
+from kinematics.equivalence.batches import Variation, axes_of_tables, cells_of_tables
 from kinematics.equivalence.measures import PARALLEL, PLAIN_OFFSET, Measure, Shape, measured
 from kinematics.equivalence.policy import Policy
+from kinematics.se3 import Floats
 from kinematics.table import NumericTable
 
 Places: TypeAlias = NDArray[np.intp] | slice

@@ -18,13 +18,12 @@ from kinematics.equivalence.refinement import (
     LINE_TWISTS,
     NO_TWISTS,
     POINT_TWISTS,
-    Matrix,
     refine,
 )
 from kinematics.equivalence.tools import ToolChoice, obeying, placements, tool_choices
 from kinematics.equivalence.verification import Residual
 from kinematics.equivalence.worst_case import judged
-from kinematics.se3 import IDENTITY, Motion, compose, inverse, move, rotate
+from kinematics.se3 import IDENTITY, Floats, Motion, compose, inverse, move, rotate
 
 # The largest misfit with which an alignment is followed, in units of the tolerance: neighbours may be off as
 # well, and short levers make more of it; never more than the last, [rad] and a share of the robot.
@@ -324,7 +323,7 @@ def forced_path(plan: Plan, submission: Chain, start: Motion, signs: Sequence[in
     return CertificatePath(start, tuple(signs), tuple(motions), tuple(totals), IDENTITY)
 
 
-def base_twists(plan: Plan, rule: BaseRule) -> Matrix:
+def base_twists(plan: Plan, rule: BaseRule) -> Floats:
     """Return the twists by which B may change from the left, in the submission's frame 0."""
     if rule is BaseRule.FREE:
         return FREE_TWISTS

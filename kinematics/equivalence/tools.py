@@ -15,10 +15,10 @@ from kinematics.equivalence.refinement import (
     LINE_TWISTS,
     NO_TWISTS,
     POINT_TWISTS,
-    Matrix,
 )
 from kinematics.se3 import (
     IDENTITY,
+    Floats,
     Motion,
     Vector,
     compose,
@@ -63,7 +63,7 @@ class ToolChoice:
     turns: bool
 
     @property
-    def twists(self) -> Matrix:
+    def twists(self) -> Floats:
         """The twists by which E may change from the right, in the submission's frame N."""
         if self.rule is ToolRule.FREE:
             return FREE_TWISTS

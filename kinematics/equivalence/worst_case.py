@@ -10,7 +10,6 @@ joint makes it worse.
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kinematics.chain import Chain, screw_bases
 from kinematics.equivalence.bounds import upper_bound
@@ -18,9 +17,7 @@ from kinematics.equivalence.certificates import CertificateCandidate
 from kinematics.equivalence.policy import Tolerance
 from kinematics.equivalence.reference import Reference
 from kinematics.equivalence.verification import Residual, differences, residual, rotation_from_square
-from kinematics.se3 import to_matrix
-
-Matrix = NDArray[np.float64]
+from kinematics.se3 import Floats, to_matrix
 
 ARITHMETIC = 1e-9  # [rad], and a share of the robot: smaller differences are errors of the arithmetic.
 STARTS = 16
@@ -35,7 +32,7 @@ _CIRCLE = np.linspace(-np.pi, np.pi, 16, endpoint=False)
 _NONE, _ONE, _COS, _SIN = np.zeros_like(_CIRCLE), np.ones_like(_CIRCLE), np.cos(_CIRCLE), np.sin(_CIRCLE)
 
 
-def _products(one: tuple[Matrix, Matrix, Matrix], other: tuple[Matrix, Matrix, Matrix]) -> Matrix:
+def _products(one: tuple[Floats, Floats, Floats], other: tuple[Floats, Floats, Floats]) -> Floats:
     """(9, 16) products of every entry of one vector with every entry of the other, around the circle."""
     return np.array([a * b for a in one for b in other])
 
@@ -56,7 +53,7 @@ class WorstCase(NamedTuple):
     """
 
     residual: Residual
-    joints: Matrix
+    joints: Floats
 
 
 def judged(
@@ -123,7 +120,7 @@ class _Climb:
     """
 
     def __init__(
-        self, reference: Reference, submission: Chain, candidate: CertificateCandidate, joints: Matrix
+        self, reference: Reference, submission: Chain, candidate: CertificateCandidate, joints: Floats
     ) -> None:
         n, k = joints.shape
         self.joints = joints.copy()
@@ -138,21 +135,21 @@ class _Climb:
         for i in range(n - 1, -1, -1):
             self._after[i] = self._motion(i, self._weights(i)) @ self._after[i + 1]
 
-    def forward_sweep(self) -> Matrix:
+    def forward_sweep(self) -> Floats:
         """Best every joint from the first to the last; (k,) the squares that are reached."""
         for i in range(len(self.joints)):
             grams, weights = self._bested(i)
             self._before[i + 1] = self._before[i] @ self._motion(i, weights)
         return np.asarray(np.einsum("ki,kij,kj->k", weights, grams, weights), dtype=np.float64)
 
-    def backward_sweep(self) -> Matrix:
+    def backward_sweep(self) -> Floats:
         """Best every joint from the last to the first; (k,) the squares that are reached."""
         for i in range(len(self.joints) - 1, -1, -1):
             grams, weights = self._bested(i)
             self._after[i] = self._motion(i, weights) @ self._after[i + 1]
         return np.asarray(np.einsum("ki,kij,kj->k", weights, grams, weights), dtype=np.float64)
 
-    def _bested(self, i: int) -> tuple[Matrix, Matrix]:
+    def _bested(self, i: int) -> tuple[Floats, Floats]:
         """Move joint i to where it does worst, for every start.
 
         Returns:
@@ -169,7 +166,7 @@ class _Climb:
             self.joints[i] = _highest(grams.reshape(-1, 9))
         return grams, self._weights(i)
 
-    def _weights(self, i: int) -> Matrix:
+    def _weights(self, i: int) -> Floats:
         """(k, 3) what the terms of a joint's motion are multiplied by."""
         q = self.joints[i]
         weights = np.zeros((len(q), 3))
@@ -181,13 +178,13 @@ class _Climb:
             np.sin(q, out=weights[:, 2])
         return weights
 
-    def _motion(self, i: int, weights: Matrix) -> Matrix:
+    def _motion(self, i: int, weights: Floats) -> Floats:
         """(2, k, 4, 4) a joint's motion on either side."""
         flat = weights @ self._terms[i].reshape(2, 3, 16)
         return np.asarray(flat.reshape(2, -1, 4, 4), dtype=np.float64)
 
 
-def _terms(reference: Reference, submission: Chain, candidate: CertificateCandidate) -> Matrix:
+def _terms(reference: Reference, submission: Chain, candidate: CertificateCandidate) -> Floats:
     """Either side's joint motion is t_0 + t_1 cos q + t_2 sin q, or t_0 + t_1 q: the t, (n, 2, 3, 4, 4)."""
     n = len(candidate.signs)
     terms = np.zeros((n, 2, 3, 4, 4))
@@ -205,7 +202,7 @@ def _terms(reference: Reference, submission: Chain, candidate: CertificateCandid
     return terms
 
 
-def _highest(grams: Matrix) -> Matrix:
+def _highest(grams: Floats) -> Floats:
     """The angle at which v G vᵀ with v = (1, cos x, sin x) is largest, for each of (k, 9) matrices G by rows.
 
     The best of 16 angles, and a Newton step from there.

@@ -8,19 +8,18 @@ longer needed.
 
 from collections.abc import Sequence
 from functools import lru_cache
-from typing import Any, NamedTuple, TypeAlias
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kinematics.angles import cos_sin_arrays
 from kinematics.evaluation.tape import Operation, Operator, Tape
+from kinematics.se3 import Floats
 from kinematics.table import JointType
 
 BLOCK = 4096
 """Configurations computed together: a value of all of them takes 32 KiB the size of a first-level cache."""
 
-Floats: TypeAlias = NDArray[np.float64]
 
 UFUNCS: dict[Operator, Any] = {
     Operator.ADD: np.add,

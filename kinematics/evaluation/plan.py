@@ -9,10 +9,10 @@ from collections.abc import Callable, Sequence
 from enum import StrEnum
 from functools import cached_property, lru_cache
 from threading import Lock
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from kinematics.angles import cos_sin
 from kinematics.errors import Fault, JointValueError
@@ -29,7 +29,7 @@ from kinematics.evaluation.recurrences import (
 )
 from kinematics.evaluation.straight_line import Evaluator, straight_line
 from kinematics.evaluation.tape import Recorder, Tape
-from kinematics.se3 import Scalar, check_transform
+from kinematics.se3 import Floats, Scalar, check_transform
 from kinematics.table import JointType, NumericTable
 
 WARM = 8
@@ -41,8 +41,6 @@ CACHED_VARIANTS = 4  # Pairs of base and tool held for one table: callers change
 LARGEST_TAPE = 1000
 """Longer computations are replayed from the tape: compiling grows faster than what it saves."""
 SAFE_LENGTH = 1e300  # Lengths that add up to less stay finite through every product of the recurrences.
-
-Floats: TypeAlias = NDArray[np.float64]
 
 
 class Quantity(StrEnum):

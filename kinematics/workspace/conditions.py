@@ -19,10 +19,10 @@ import numpy as np
 from kinematics.errors import Fault, PoseError
 from kinematics.inverse.arm import Arm, ArmReach, arm_of
 from kinematics.inverse.residuals import errors_of
-from kinematics.se3 import Transform
+from kinematics.se3 import Floats, Transform
 from kinematics.table import NumericTable
 from kinematics.workspace.coordinate_ascent import Maximum
-from kinematics.workspace.objectives import Array, Objective, Objectives, stacked
+from kinematics.workspace.objectives import Objective, Objectives, stacked
 from kinematics.workspace.spans import spread
 
 LOOKS = 1024  # Configurations that are brought onto the set.
@@ -58,7 +58,7 @@ class Conditions:
         reach: POSE where the whole rotation counts, AXIS where its z axis does.
     """
 
-    plane: tuple[Array, Array] | None
+    plane: tuple[Floats, Floats] | None
     pose: Transform | None
     reach: ArmReach
 
@@ -66,14 +66,14 @@ class Conditions:
 class _Surface:
     """The set of configurations on which conditions hold; joints in the arm's units."""
 
-    def __init__(self, table: NumericTable, conditions: Conditions, spans: Array, tool: Transform | None):
+    def __init__(self, table: NumericTable, conditions: Conditions, spans: Floats, tool: Transform | None):
         arm = arm_of(table, None, tool)
         self.arm: Arm = replace(arm, reach=conditions.reach)
         self.whole: Arm = replace(arm, reach=ArmReach.POSE)
         self.conditions = conditions
         self.low, self.high = (spans / arm.units[:, None]).T
 
-    def seen(self, x: Array) -> tuple[Array, Array, Array, Array]:
+    def seen(self, x: Floats) -> tuple[Floats, Floats, Floats, Floats]:
         """Places (m, 3), their Jacobians (m, 3, n), the conditions' errors (m, k) and Jacobians (m, k, n)."""
         frames = self.arm.frames(x * self.arm.units)
         J = self.whole.jacobians(frames) * self.arm.units
@@ -89,7 +89,7 @@ class _Surface:
             jacobians.append(turning[:, 3:])
         return place, along, np.concatenate(errors, axis=1), np.concatenate(jacobians, axis=1)
 
-    def brought(self, x: Array, steps: int) -> tuple[Array, Array]:
+    def brought(self, x: Floats, steps: int) -> tuple[Floats, Floats]:
         """Configurations after Gauss–Newton steps onto the set, and the size of their errors (m,)."""
         for _ in range(steps):
             _, _, c, C = self.seen(x)
@@ -106,7 +106,7 @@ class _Surface:
 def maxima_within(
     table: NumericTable,
     objectives: Sequence[Objective],
-    spans: Array,
+    spans: Floats,
     conditions: Conditions,
     tool: Transform | None = None,
 ) -> list[Maximum]:
@@ -142,19 +142,19 @@ def maxima_within(
 
 
 def places_within(
-    table: NumericTable, count: int, spans: Array, conditions: Conditions, tool: Transform | None = None
-) -> Array:
+    table: NumericTable, count: int, spans: Floats, conditions: Conditions, tool: Transform | None = None
+) -> Floats:
     """Return (m, 3) places of the tool's origin where conditions hold, m ≤ count."""
     surface = _Surface(table, conditions, spans, tool)
     return np.asarray(surface.seen(_on_it(surface, spans, count))[0])
 
 
-def _on_it(surface: _Surface, spans: Array, count: int) -> Array:
+def _on_it(surface: _Surface, spans: Floats, count: int) -> Floats:
     x, off = surface.brought(spread(spans, count) / surface.arm.units, STEPS_ONTO)
     return np.asarray(x[off <= HOLDS])
 
 
-def _least_step(C: Array, c: Array) -> Array:
+def _least_step(C: Floats, c: Floats) -> Floats:
     """(m, n) shortest steps with C·step = -c."""
     square = C @ C.transpose(0, 2, 1)
     k = square.shape[1]
@@ -165,12 +165,12 @@ def _least_step(C: Array, c: Array) -> Array:
     return np.asarray(np.where(np.isfinite(steps), steps, 0.0))
 
 
-def _gradients(objectives: Objectives, place: Array, along: Array) -> Array:
+def _gradients(objectives: Objectives, place: Floats, along: Floats) -> Floats:
     lever = 2.0 * np.einsum("mij,mj->mi", objectives.W, place - objectives.origin) + objectives.c
     return np.asarray(np.einsum("mi,mij->mj", lever, along))
 
 
-def _ascended(surface: _Surface, objectives: Objectives, x: Array) -> Array:
+def _ascended(surface: _Surface, objectives: Objectives, x: Floats) -> Floats:
     """Configurations after steps along their projected gradients, each as long as it still helps."""
     step = np.full(len(x), 0.1)
     value = objectives.values(surface.seen(x)[0])
@@ -196,7 +196,7 @@ def _ascended(surface: _Surface, objectives: Objectives, x: Array) -> Array:
     return x
 
 
-def _polished(surface: _Surface, objective: Objective, x: Array) -> Maximum:
+def _polished(surface: _Surface, objective: Objective, x: Floats) -> Maximum:
     """The maximum near a configuration, by Newton's steps along the set."""
     one = stacked([objective], 1)
     value = float(one.values(surface.seen(x[None])[0])[0])
@@ -229,7 +229,7 @@ def _polished(surface: _Surface, objective: Objective, x: Array) -> Maximum:
     return Maximum(value, x * surface.arm.units, surface.seen(x[None])[0][0])
 
 
-def _bending(surface: _Surface, objective: Objectives, x: Array, pull: Array, free: Array) -> Array:
+def _bending(surface: _Surface, objective: Objectives, x: Floats, pull: Floats, free: Floats) -> Floats:
     """Hessian of f + pull·c in the free joints, by central differences of its gradient."""
     columns = np.flatnonzero(free)
     shifts = _DIFFERENCE * np.eye(len(x))[columns]

@@ -14,9 +14,9 @@ import numpy as np
 
 from kinematics.chain import chain_of_table
 from kinematics.forward import end_poses
-from kinematics.se3 import Transform, cross_arrays
+from kinematics.se3 import Floats, Transform, cross_arrays
 from kinematics.table import JointType, NumericTable
-from kinematics.workspace.objectives import Array, Objective, Objectives, stacked
+from kinematics.workspace.objectives import Objective, Objectives, stacked
 from kinematics.workspace.spans import spread
 
 LOOKS = 768  # Samples among which the starts are chosen.
@@ -46,12 +46,12 @@ class Maximum:
     """
 
     value: float
-    joints: Array
-    place: Array
+    joints: Floats
+    place: Floats
 
 
 def maxima(
-    table: NumericTable, objectives: Sequence[Objective], spans: Array, tool: Transform | None = None
+    table: NumericTable, objectives: Sequence[Objective], spans: Floats, tool: Transform | None = None
 ) -> list[Maximum]:
     """Return for each objective the greatest value that the origin of the tool can have.
 
@@ -81,8 +81,8 @@ def maxima(
 
 
 def _starts(
-    table: NumericTable, objectives: Sequence[Objective], spans: Array, tool: Transform | None
-) -> Array:
+    table: NumericTable, objectives: Sequence[Objective], spans: Floats, tool: Transform | None
+) -> Floats:
     """For each objective the best samples, the best corners, and others from all over the ranges."""
     looked = spread(spans, LOOKS)
     corners = _corners(table, spans)
@@ -101,7 +101,7 @@ def _starts(
     return np.concatenate(chosen)
 
 
-def _corners(table: NumericTable, spans: Array) -> Array:
+def _corners(table: NumericTable, spans: Floats) -> Floats:
     """Corners of the ranges of the first joints that have limits, the others at the middle of theirs.
 
     The way up to a greatest value in a corner may begin so near to it that nothing of what is spread evenly
@@ -115,24 +115,24 @@ def _corners(table: NumericTable, spans: Array) -> Array:
     return corners
 
 
-def _places(table: NumericTable, joints: Array, tool: Transform | None) -> Array:
+def _places(table: NumericTable, joints: Floats, tool: Transform | None) -> Floats:
     return np.asarray(end_poses(table, joints, tool=tool)[:, :3, 3])
 
 
-def _axes(table: NumericTable, joints: Array) -> tuple[Array, Array]:
+def _axes(table: NumericTable, joints: Floats) -> tuple[Floats, Floats]:
     """(m, n, 3) directions of the joints' positive motions, and points of their axes, in frame 0."""
     return chain_of_table(table).axes_at(joints)
 
 
-def first_axis(table: NumericTable) -> tuple[Array, Array]:
+def first_axis(table: NumericTable) -> tuple[Floats, Floats]:
     """Return (3,) point and (3,) direction of the first joint's axis in frame 0."""
     directions, points = _axes(table, np.zeros((1, table.n_joints)))
     return points[0, 0] + 0.0, directions[0, 0] + 0.0
 
 
 def _swept(
-    table: NumericTable, objectives: Objectives, joints: Array, spans: Array, tool: Transform | None
-) -> Array:
+    table: NumericTable, objectives: Objectives, joints: Floats, spans: Floats, tool: Transform | None
+) -> Floats:
     """Every joint once at its best, from the tip to the base: what lies before a joint stays where it is."""
     directions, points = _axes(table, joints)
     p = _places(table, joints, tool)
@@ -155,7 +155,7 @@ def _swept(
     return joints
 
 
-def _best_slide(objectives: Objectives, still: Array, u: Array, low: float, high: float) -> Array:
+def _best_slide(objectives: Objectives, still: Floats, u: Floats, low: float, high: float) -> Floats:
     Wu = np.einsum("mij,mj->mi", objectives.W, u)
     second = np.einsum("mi,mi->m", Wu, u)
     first = 2.0 * np.einsum("mi,mi->m", Wu, still - objectives.origin) + np.einsum(
@@ -166,7 +166,9 @@ def _best_slide(objectives: Objectives, still: Array, u: Array, low: float, high
     return np.asarray(np.where(second < 0.0, vertex, ends))
 
 
-def _best_turn(objectives: Objectives, centre: Array, a: Array, b: Array, low: float, high: float) -> Array:
+def _best_turn(
+    objectives: Objectives, centre: Floats, a: Floats, b: Floats, low: float, high: float
+) -> Floats:
     """The best angle where the place is centre + a cos q + b sin q."""
     Wa, Wb = np.einsum("mij,mj->mi", objectives.W, a), np.einsum("mij,mj->mi", objectives.W, b)
     lever = 2.0 * np.einsum("mij,mj->mi", objectives.W, centre - objectives.origin) + objectives.c
@@ -193,7 +195,7 @@ def _best_turn(objectives: Objectives, centre: Array, a: Array, b: Array, low: f
 
 
 def _polished(
-    table: NumericTable, objective: Objective, joints: Array, spans: Array, tool: Transform | None
+    table: NumericTable, objective: Objective, joints: Floats, spans: Floats, tool: Transform | None
 ) -> Maximum:
     """The maximum near a configuration, by Newton's steps within the ranges."""
     one = stacked([objective], 1)
@@ -224,7 +226,9 @@ def _polished(
     return Maximum(value, q, place)
 
 
-def _derivatives(table: NumericTable, objective: Objective, q: Array, place: Array) -> tuple[Array, Array]:
+def _derivatives(
+    table: NumericTable, objective: Objective, q: Floats, place: Floats
+) -> tuple[Floats, Floats]:
     """Gradient (n,) and Hessian (n, n) of an objective with respect to the joints.
 
     ∂p/∂q_i = z_i × (p − p_i), and ∂²p/∂q_i∂q_j = z_i × ∂p/∂q_j for i ≤ j; of a prismatic joint z_i, and 0.

@@ -4,9 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from kinematics.se3 import Floats
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -19,13 +18,13 @@ class Objective:
         c: (3,).
     """
 
-    origin: Array
-    W: Array
-    c: Array
+    origin: Floats
+    W: Floats
+    c: Floats
 
 
 def distance_objectives(
-    origin: Sequence[float] | Array, axis: Sequence[float] | Array | None
+    origin: Sequence[float] | Floats, axis: Sequence[float] | Floats | None
 ) -> tuple[Objective, Objective]:
     """Return the objectives of being near, and of being far.
 
@@ -40,7 +39,7 @@ def distance_objectives(
     return (Objective(origin=place, W=-across, c=nothing), Objective(origin=place, W=across, c=nothing))
 
 
-def direction_objective(direction: Array) -> Objective:
+def direction_objective(direction: Floats) -> Objective:
     """Return the objective of being far along a direction."""
     return Objective(origin=np.zeros(3), W=np.zeros((3, 3)), c=direction)
 
@@ -49,11 +48,11 @@ def direction_objective(direction: Array) -> Objective:
 class Objectives:
     """Objectives of several ascents: every field with a leading axis."""
 
-    origin: Array
-    W: Array
-    c: Array
+    origin: Floats
+    W: Floats
+    c: Floats
 
-    def values(self, p: Array) -> Array:
+    def values(self, p: Floats) -> Floats:
         """Return (m,) values at the places p, (m, 3)."""
         r = p - self.origin
         return np.asarray(np.einsum("mi,mij,mj->m", r, self.W, r) + np.einsum("mi,mi->m", self.c, r))

@@ -11,11 +11,11 @@ from kinematics.forward import end_poses
 from kinematics.inverse.arm import ArmReach
 from kinematics.inverse.lengths import check_lengths, is_far, is_long, too_long
 from kinematics.inverse.limits import JointLimits
-from kinematics.se3 import Transform, check_transform, inverse_transform
+from kinematics.se3 import Floats, Transform, check_transform, inverse_transform
 from kinematics.table import NumericTable
 from kinematics.workspace.conditions import Conditions, maxima_within, places_within
 from kinematics.workspace.coordinate_ascent import Maximum, first_axis, maxima
-from kinematics.workspace.objectives import Array, direction_objective, distance_objectives
+from kinematics.workspace.objectives import direction_objective, distance_objectives
 from kinematics.workspace.spans import joint_spans, spread
 
 Vector3 = tuple[float, float, float]
@@ -71,8 +71,8 @@ class Workspace:
     outer: Radii
     low: Vector3
     high: Vector3
-    points: Array
-    section: Array
+    points: Floats
+    section: Floats
 
 
 def workspace(
@@ -173,12 +173,12 @@ def _conditions(
     return Conditions(plane=level, pose=pose, reach=counts)
 
 
-def _upward(direction: Array, base: Transform) -> Array:
+def _upward(direction: Floats, base: Transform) -> Floats:
     """A direction in frame 0, or its opposite if it points down in the world: a joint may count against z."""
     return -direction if base[2, :3] @ direction < -LEVEL else direction
 
 
-def _section(places: Array, point: Array, direction: Array) -> Array:
+def _section(places: Floats, point: Floats, direction: Floats) -> Floats:
     """(m, 2) distance from an axis and height along it, from the axis's point nearest to the origin."""
     foot = point - direction * (point @ direction)
     arms = places - foot
@@ -201,7 +201,7 @@ def check_reach(table: NumericTable, base: ArrayLike | None, tool: ArrayLike | N
             raise PoseError(too_long((name,)))
 
 
-def _radius(maximum: Maximum, away: Array, reach: float) -> Radius:
+def _radius(maximum: Maximum, away: Floats, reach: float) -> Radius:
     value = math.hypot(*away.tolist())
     return Radius(
         value=value if value > AS_GOOD_AS_ZERO * reach else 0.0,

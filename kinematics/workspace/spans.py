@@ -6,11 +6,11 @@ from kinematics.errors import Fault, JointValueError
 from kinematics.inverse.arm import low_discrepancy
 from kinematics.inverse.limits import JointLimits, read_limits
 from kinematics.inverse.search import one_turn
+from kinematics.se3 import Floats
 from kinematics.table import JointType, NumericTable
-from kinematics.workspace.objectives import Array
 
 
-def joint_spans(table: NumericTable, limits: JointLimits | None) -> Array:
+def joint_spans(table: NumericTable, limits: JointLimits | None) -> Floats:
     """Return (n, 2) lowest and highest value of every joint; of a revolute joint one turn at most.
 
     Raises:
@@ -32,6 +32,6 @@ def joint_spans(table: NumericTable, limits: JointLimits | None) -> Array:
     return spans
 
 
-def spread(spans: Array, count: int) -> Array:
+def spread(spans: Floats, count: int) -> Floats:
     """Return (count, n) low-discrepancy configurations within the ranges, always the same ones."""
     return np.asarray(spans[:, 0] + low_discrepancy(count, len(spans)) * (spans[:, 1] - spans[:, 0]))

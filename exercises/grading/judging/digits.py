@@ -10,7 +10,6 @@ from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
 from exercises.grading.judging.typed import Place, says_enough
 from kinematics.equivalence import BaseRule, Policy, Tolerance, ToolRule
@@ -19,9 +18,8 @@ from kinematics.equivalence.invariants import FLOOR, Invariants, invariants_of
 from kinematics.equivalence.measures import Shape
 from kinematics.equivalence.reference import Reference
 from kinematics.equivalence.row_measures import measured_of_tables
+from kinematics.se3 import Floats
 from kinematics.table import ANGLES, LENGTHS, NumericTable
-
-Floats = NDArray[np.float64]
 
 PER_CENT = 0.01  # The share of itself by which a length or an angle may be off, whatever its digits.
 CACHED_TABLES = 64

@@ -15,9 +15,9 @@ from exercises.parts.report import Fact, fact
 from exercises.parts.samples import Samples
 from kinematics.cells import Cell
 from kinematics.equivalence import Tolerance
+from kinematics.se3 import Floats
 
-Matrices: TypeAlias = NDArray[np.float64]
-Expected: TypeAlias = Callable[[Samples], Matrices]  # (k, 4, 4) that are right at samples.
+Expected: TypeAlias = Callable[[Samples], Floats]  # (k, 4, 4) that are right at samples.
 
 LAST_ROW = np.array([0.0, 0.0, 0.0, 1.0])
 ALL_NAMED = 1e-6
@@ -34,7 +34,7 @@ class Compared:
         cells: (4, 4) which cells agree at every sample.
     """
 
-    actual: Matrices
+    actual: Floats
     samples: Samples
     cells: NDArray[np.bool_]
 
@@ -78,7 +78,7 @@ def compare(context: Context, answer: SymbolicMatrix, expected: Expected) -> Com
     return Compared(actual=actual, samples=samples, cells=cells)
 
 
-def agreeing(actual: Matrices, wanted: Matrices, size: float, tolerance: Tolerance) -> NDArray[np.bool_]:
+def agreeing(actual: Floats, wanted: Floats, size: float, tolerance: Tolerance) -> NDArray[np.bool_]:
     """Return which cells of (k, 4, 4) matrices agree in every sample, (4, 4); lengths relative to size."""
     limit = np.full((4, 4), tolerance.angle)
     limit[:3, 3] = tolerance.length * size
@@ -88,7 +88,7 @@ def agreeing(actual: Matrices, wanted: Matrices, size: float, tolerance: Toleran
     return np.asarray(close.all(axis=0), dtype=np.bool_)
 
 
-def halves_right(cells: NDArray[np.bool_], wanted: Matrices, size: float, tolerance: Tolerance) -> float:
+def halves_right(cells: NDArray[np.bool_], wanted: Floats, size: float, tolerance: Tolerance) -> float:
     """Return what a ⁰T_N earns by its cells: half for the rotation and half for the position.
 
     A half that the identity has right, too, earns nothing without the other: the position of a wrist, the
@@ -111,7 +111,7 @@ def halves_right(cells: NDArray[np.bool_], wanted: Matrices, size: float, tolera
     return 0.5 * (rotation + position)
 
 
-def is_doubled(once: Matrices, twice: Matrices, size: float) -> bool:
+def is_doubled(once: Floats, twice: Floats, size: float) -> bool:
     """Return whether a matrix names every length.
 
     Then twice the lengths double its last column and nothing else.
@@ -122,7 +122,7 @@ def is_doubled(once: Matrices, twice: Matrices, size: float) -> bool:
         return bool((np.abs(twice - wanted) <= ALL_NAMED * max(1.0, size)).all())
 
 
-def transposed_rotation(poses: Matrices) -> Matrices:
+def transposed_rotation(poses: Floats) -> Floats:
     """Return the same positions with transposed rotations, (…, 4, 4)."""
     result = poses.copy()
     result[..., :3, :3] = np.swapaxes(poses[..., :3, :3], -1, -2)
@@ -140,7 +140,7 @@ def transposed_cells(matrix: CellMatrix) -> list[list[Cell]] | None:
     return turned if shifted and turned != [list(row) for row in matrix] else None
 
 
-def is_rigid(poses: Matrices, tolerance: Tolerance) -> bool:
+def is_rigid(poses: Floats, tolerance: Tolerance) -> bool:
     """Return whether (…, 4, 4) matrices are rigid motions."""
     if not np.isfinite(poses).all():
         return False

@@ -20,7 +20,6 @@ from exercises.draws import Draw, Picker
 from exercises.grading import BaseRule, DirectionRule, Feedback, HelpLevel, Policy, ToolRule, ZeroRule
 from exercises.instance import Instance
 from exercises.parts.cells.comparison import (
-    Matrices,
     agreeing,
     cell_facts,
     halves_right,
@@ -42,13 +41,13 @@ from exercises.reading import Reader
 from kinematics.equivalence import Tolerance
 from kinematics.errors import Fault, ParameterError
 from kinematics.forward import forward_kinematics
-from kinematics.se3 import inverse_transform
+from kinematics.se3 import Floats, inverse_transform
 from kinematics.table import JointType
 
 USUAL_TURNS = Draw(start=Fraction(-120), stop=Fraction(120), step=Fraction(15), without=(Fraction(0),))
 """From where the angles of a numeric pose are drawn, in degrees."""
 
-ScoredPose: TypeAlias = tuple[float, Matrices, Matrices, Credit]
+ScoredPose: TypeAlias = tuple[float, Floats, Floats, Credit]
 """What an answer earns beside a pose, the answer in its unit, the pose, and on what the marks rest."""
 
 
@@ -85,7 +84,7 @@ class PoseTask:
     joints: tuple[float, ...]
 
 
-class PosePartType(PartType[PosePart, CellMatrix, Matrices]):
+class PosePartType(PartType[PosePart, CellMatrix, Floats]):
     """⁰T_N in numbers, at given joint values."""
 
     kind = "pose"
@@ -132,14 +131,14 @@ class PosePartType(PartType[PosePart, CellMatrix, Matrices]):
             given=PoseTask(joints=tuple(float(value) for value in drawn)),
         )
 
-    def read(self, raw: CellMatrix, reading: Reading) -> Matrices | None:
+    def read(self, raw: CellMatrix, reading: Reading) -> Floats | None:
         """Return (4, 4) numbers, lengths in the student's unit."""
         fixed = policy_fixes_pose(reading.instance.exercise.policy)
         if not fixed and reading.raw.get(TABLE) is None and reading.raw.get("transform") is None:
             reading.fault("pose_needs_table")
         return read_numbers(raw, reading)
 
-    def grade(self, part: PosePart, answer: Matrices, context: Context) -> PartReport:
+    def grade(self, part: PosePart, answer: Floats, context: Context) -> PartReport:
         """Judge a pose: its rotation and its position count half each."""
         joints = joints_at(context, context.instance.drawn[self.kind])
         allowed = Tolerance(length=part.tolerance, angle=part.tolerance)
@@ -181,11 +180,11 @@ def joints_at(context: Context, drawn: Sequence[Fraction]) -> list[float]:
     ]
 
 
-def _score(given: Matrices, pose: Matrices, size: float, allowed: Tolerance) -> float:
+def _score(given: Floats, pose: Floats, size: float, allowed: Tolerance) -> float:
     return halves_right(agreeing(given[None], pose[None], size, allowed), pose[None], size, allowed)
 
 
-def _in_either_unit(context: Context, answer: Matrices) -> Iterator[Matrices]:
+def _in_either_unit(context: Context, answer: Floats) -> Iterator[Floats]:
     """The pose in the unit of the student's table; it may have been given in the exercise's."""
     yield answer
     if context.unit_ratio != 1.0:
@@ -207,7 +206,7 @@ def _first_best(ways: Iterator[ScoredPose], otherwise: ScoredPose) -> ScoredPose
 
 def _expected(
     context: Context, joints: Sequence[float], transform: SymbolicMatrix | None
-) -> Iterator[tuple[Matrices, Credit]]:
+) -> Iterator[tuple[Floats, Credit]]:
     """The poses that earn marks, and what the marks rest on then."""
     if policy_fixes_pose(context.policy):
         q = in_radians(context.instance.exercise, context.instance.drawn[PosePartType.kind])
@@ -236,8 +235,8 @@ def _moves(transform: SymbolicMatrix, context: Context, joints: Sequence[float])
 
 def _feedback(
     context: Context,
-    answer: Matrices,
-    pose: Matrices,
+    answer: Floats,
+    pose: Floats,
     score: float,
     credit: Credit,
     joints: Sequence[float],
@@ -247,7 +246,7 @@ def _feedback(
         yield Feedback(code="pose_right" if credit is Credit.KEY else "pose_follows_table")
         return
 
-    def looks_like(other: Matrices) -> bool:
+    def looks_like(other: Floats) -> bool:
         return bool(agreeing(answer[None], other[None], context.size, allowed).all())
 
     yield Feedback(code="pose_wrong")
@@ -263,7 +262,7 @@ def _feedback(
 
 
 def _degrees_as_radians(
-    context: Context, joints: Sequence[float], looks_like: Callable[[Matrices], bool]
+    context: Context, joints: Sequence[float], looks_like: Callable[[Floats], bool]
 ) -> bool:
     """Whether the sines and cosines were taken of the degrees as if they were radians."""
     assert context.own is not None

@@ -13,7 +13,6 @@ from exercises.grading import Feedback, HelpLevel
 from exercises.parts.cells.comparison import (
     Compared,
     Expected,
-    Matrices,
     agreeing,
     cell_facts,
     cell_names,
@@ -29,7 +28,7 @@ from exercises.parts.context import Context
 from exercises.parts.forward.value import is_robot, reads_as_robot
 from exercises.parts.protocol import TABLE, PartType, Reading
 from exercises.parts.report import Credit, PartReport, judged, told_from
-from kinematics.se3 import inverse_transform
+from kinematics.se3 import Floats, inverse_transform
 
 
 def transform_is_robot(context: Context, answer: SymbolicMatrix) -> bool:
@@ -59,7 +58,7 @@ def _what_is_off(context: Context, compared: Compared) -> Feedback:
     frames = list(accumulate(links, np.matmul))
     own = frames[-1]
 
-    def looks_like(other: Matrices) -> bool:
+    def looks_like(other: Floats) -> bool:
         return bool(agreeing(compared.actual, other, context.size, context.policy.tolerance).all())
 
     if looks_like(inverse_transform(own)):

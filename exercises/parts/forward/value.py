@@ -11,7 +11,6 @@ from dataclasses import replace
 from functools import partial, reduce
 
 import numpy as np
-from numpy.typing import NDArray
 
 from exercises.parts.cells.comparison import agreeing, is_doubled, is_rigid
 from exercises.parts.cells.exactness import EITHER_WAY
@@ -25,12 +24,11 @@ from kinematics.equivalence import Tolerance
 from kinematics.equivalence.decision import is_certified
 from kinematics.equivalence.reference import prepared
 from kinematics.errors import ParameterError
-from kinematics.se3 import cross_arrays, from_matrix, inverse_transform, scale
+from kinematics.se3 import Floats, cross_arrays, from_matrix, inverse_transform, scale
 from kinematics.table import JointType, NumericTable, bind
 
-Matrix = NDArray[np.float64]
-PosesOf = Callable[[Matrix], Matrix]  # (k, 4, 4) ⁰T_N of (k, n) configurations.
-PosesAt = Callable[[Mapping[str, float], Matrix], Matrix]
+PosesOf = Callable[[Floats], Floats]  # (k, 4, 4) ⁰T_N of (k, n) configurations.
+PosesAt = Callable[[Mapping[str, float], Floats], Floats]
 """The same for values of the names [rad, the student's unit]."""
 
 
@@ -47,7 +45,7 @@ def is_robot(context: Context, matrices: Sequence[SymbolicMatrix]) -> bool:
     """
     names = frozenset[str]().union(*(matrix.names() for matrix in matrices))
 
-    def poses_at(values: Mapping[str, float], joints: Matrix) -> Matrix:
+    def poses_at(values: Mapping[str, float], joints: Floats) -> Floats:
         samples = Samples(((values, joints),))
         return reduce(np.matmul, [matrix.at_points(samples) for matrix in matrices])
 
@@ -149,7 +147,7 @@ def chain_of_poses(
     return chain_of_axes(axes, from_matrix(end))
 
 
-def _axis(screw: Matrix, joint_type: JointType, tolerance: Tolerance, size: float) -> Axis | None:
+def _axis(screw: Floats, joint_type: JointType, tolerance: Tolerance, size: float) -> Axis | None:
     """The axis of a 4×4 screw matrix, if it is one of a joint."""
     if not np.isfinite(screw).all():
         return None
@@ -178,6 +176,6 @@ def scaled_chain(chain: Chain, factor: float) -> Chain:
     return Chain(axes, (*chain.end[:9], *scale(chain.end[9:], factor)), chain.extent * factor)
 
 
-def _triple(array: Matrix) -> tuple[float, float, float]:
+def _triple(array: Floats) -> tuple[float, float, float]:
     x, y, z = array.tolist()
     return x, y, z

@@ -12,7 +12,6 @@ import numpy as np
 
 from exercises.definition import Exercise, Part
 from exercises.errors import DefinitionError
-from exercises.figures.camera import Array
 from exercises.figures.points import Points
 from exercises.grading import Feedback, HelpLevel
 from exercises.instance import Instance
@@ -29,7 +28,7 @@ from kinematics.cells import AngleUnit, Cell, ParameterKind, read_cell
 from kinematics.chain import chain_of_table
 from kinematics.errors import CellError, Fault, KinematicsError
 from kinematics.expressions import evaluate
-from kinematics.se3 import Vector, inverse_transform
+from kinematics.se3 import Floats, Vector, inverse_transform
 from kinematics.table import JointType
 
 AXIS = "axis"
@@ -101,7 +100,7 @@ def workspace_of(context: Context, part: WorkspacePart) -> Reach:
     return reach(table, _rounded(point), _rounded(origin), None if axis is None else _rounded(axis), limits)
 
 
-def _rounded(vector: Array) -> Vector:
+def _rounded(vector: Floats) -> Vector:
     x, y, z = np.round(vector, 12).tolist()
     return x, y, z
 

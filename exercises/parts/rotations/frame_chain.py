@@ -15,7 +15,6 @@ from exercises.draws import Picker
 from exercises.grading import Feedback, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.cells.by_name import ByName, read_by_name
-from exercises.parts.cells.comparison import Matrices
 from exercises.parts.cells.matrix_cells import CellMatrix, read_numbers
 from exercises.parts.cells.number_cells import on_paper
 from exercises.parts.context import Context
@@ -27,7 +26,7 @@ from exercises.parts.task import FieldShape, FormField, GivenNumbers, PartTask
 from exercises.reading import KeyShape, Reader
 from kinematics.errors import Fault
 from kinematics.rotations.frame_chains import ChainFactor, ChainMistake, chain_product, judge_chain
-from kinematics.se3 import inverse_transform
+from kinematics.se3 import Floats, inverse_transform
 
 Pair = tuple[int, int]
 AS_SHOWN = 5e-4  # A share: how exactly a pose follows from others of which so many decimals are shown.
@@ -63,7 +62,7 @@ class FrameChainPart(Part):
     tolerance: float
 
 
-class FrameChainType(PartType[FrameChainPart, FrameChainCells, ByName[Matrices]]):
+class FrameChainType(PartType[FrameChainPart, FrameChainCells, ByName[Floats]]):
     """{}^A T_B from other poses."""
 
     kind = "frame_chain"
@@ -138,14 +137,14 @@ class FrameChainType(PartType[FrameChainPart, FrameChainCells, ByName[Matrices]]
             numbers=shown,
         )
 
-    def read(self, raw: FrameChainCells, reading: Reading) -> ByName[Matrices] | None:
+    def read(self, raw: FrameChainCells, reading: Reading) -> ByName[Floats] | None:
         """Return (4, 4) numbers."""
         return read_by_name(raw, reading, self._read, lambda pose: pose[:3, 3].tolist())
 
-    def _read(self, raw: FrameChainCells, reading: Reading) -> Matrices | None:
+    def _read(self, raw: FrameChainCells, reading: Reading) -> Floats | None:
         return read_numbers(raw.pose, reading, "pose")
 
-    def grade(self, part: FrameChainPart, answer: ByName[Matrices], context: Context) -> PartReport:
+    def grade(self, part: FrameChainPart, answer: ByName[Floats], context: Context) -> PartReport:
         """Judge a pose at the student's lengths and, if it is right there and in names, at others."""
         report = self._judged(part, answer.here, context)
         elsewhere = answer.elsewhere(context) if report.correct else None
@@ -157,7 +156,7 @@ class FrameChainType(PartType[FrameChainPart, FrameChainCells, ByName[Matrices]]
             part = replace(part, tolerance=min(part.tolerance, max(exact, AS_SHOWN)))
         return self._judged(part, named, there)
 
-    def _judged(self, part: FrameChainPart, answer: Matrices, context: Context) -> PartReport:
+    def _judged(self, part: FrameChainPart, answer: Floats, context: Context) -> PartReport:
         """Judge a pose: its rotation and its position count half each."""
         factors = _factors(part, context.instance)
         found = judge_chain(factors, answer, size=context.size / context.unit_ratio, tolerance=part.tolerance)
@@ -213,7 +212,7 @@ def _pair(reader: Reader) -> Pair:
     return pair
 
 
-def _known(part: FrameChainPart, instance: Instance) -> list[Matrices]:
+def _known(part: FrameChainPart, instance: Instance) -> list[Floats]:
     """Return the known poses as they are shown."""
     frames = key_frames(instance, instance.drawn[part.kind])
     return [on_paper(inverse_transform(frames[a]) @ frames[b]) for a, b in part.known]
@@ -224,7 +223,7 @@ def _factors(part: FrameChainPart, instance: Instance) -> list[ChainFactor]:
     return [ChainFactor(pose=known[i], inverted=inverted) for i, inverted in part.path]
 
 
-def _cells(pose: Matrices) -> FrameChainCells:
+def _cells(pose: Floats) -> FrameChainCells:
     cells: CellMatrix = on_paper(pose).tolist()
     return FrameChainCells(pose=cells)
 

@@ -6,15 +6,13 @@ from itertools import islice
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kinematics.errors import Fault, JointValueError
 from kinematics.inverse.lengths import is_long, too_long
 from kinematics.joint_values import one_configuration
+from kinematics.se3 import Floats
 from service.http.problems import BodySizeError, RequestError, moved
 from service.wire.kinematics.prepared_robots import PreparedRobot
-
-Floats = NDArray[np.float64]
 
 _NUMBERS = {float, int}
 PIECE = 2048

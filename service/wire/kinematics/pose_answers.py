@@ -7,7 +7,6 @@ from enum import StrEnum
 
 import numpy as np
 import orjson
-from numpy.typing import NDArray
 
 from kinematics.errors import Fault, JointValueError, TableError
 from kinematics.forward import ForwardKinematics, end_poses, forward_kinematics
@@ -17,13 +16,12 @@ from kinematics.pose_batches import (
     xyzabcs_from_transforms,
 )
 from kinematics.poses import pose_notations
-from kinematics.se3 import inverse_transform
+from kinematics.se3 import Floats, inverse_transform
 from kinematics.table import JointType
 from service.http.npy import npy_data, npy_header
 from service.wire.json_chunks import blocks, list_chunks, written
 from service.wire.kinematics.prepared_robots import PreparedRobot
 
-Floats = NDArray[np.float64]
 Matrix = Sequence[Sequence[float]]
 LinkPoint = tuple[int, Sequence[float]]
 
