@@ -127,9 +127,9 @@ class KeyReader:
         value = self.value(key, list, ValueKind.TEXTS, default)
         return self._each(key, value, ValueKind.TEXT, lambda entry: isinstance(entry, str))
 
-    def integer(self, key: str, default: Any = MISSING) -> int:
+    def integer(self, key: str) -> int:
         """Return a whole number of at most `LARGEST` in size."""
-        value = self.value(key, int, ValueKind.INTEGER, default)
+        value = self.value(key, int, ValueKind.INTEGER, MISSING)
         if isinstance(value, int) and abs(value) > LARGEST:
             self.mistyped(ValueKind.NUMBER, key)
         return value if isinstance(value, int) else 0

@@ -1,6 +1,7 @@
 """What is tried with a draft, as one call each: plain data in and out, for a process of its own."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 from exercises.authoring.admission import PolicyAdmission, policy_admission
@@ -52,7 +53,7 @@ def _at_its_source(fault: Fault, document: Mapping[str, Any]) -> Fault:
     key, name = "lengths" if form == "axes" else "parameters", str(fault.params.get("name"))
     values = content.get(key) if isinstance(content, dict) else None
     place = (key, name) if isinstance(values, dict) and name in values else ()
-    return Fault.at(fault.code, "source", form, *place, **fault.params)
+    return replace(fault, where=("source", form, *place))
 
 
 def trial(draft: ExerciseDraft) -> PolicyAdmission:

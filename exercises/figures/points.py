@@ -1,6 +1,7 @@
 """The points of a figure: names resolved to places in space, and every fault on the way."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import cached_property, lru_cache
 
 from exercises.figures.skeleton import completed, says_all
@@ -91,7 +92,7 @@ class Points:
         try:
             return evaluate(expression, self.values)
         except ParameterError as error:
-            self.faults.extend(Fault.at(fault.code, *where, **fault.params) for fault in error.faults)
+            self.faults.extend(replace(fault, where=where) for fault in error.faults)
             return 0.0
 
     def fault(self, code: str, where: tuple[str | int, ...], **params: str | float) -> None:

@@ -23,7 +23,6 @@ from kinematics.expressions import (
     Number,
     Pi,
     Product,
-    Sum,
     add,
     call,
     evaluate,
@@ -31,6 +30,7 @@ from kinematics.expressions import (
     number,
     pi_fraction,
     pi_times,
+    terms_of,
 )
 from kinematics.se3 import Floats
 from kinematics.table import SymbolicTable
@@ -60,18 +60,14 @@ def angle_atoms(tables: Iterable[SymbolicTable]) -> list[Expression]:
         for entry in (row.theta, row.alpha)
         if pi_fraction(entry) is None
     ]
-    constants = {abs(term.value) for entry in entries for term in _terms(entry) if isinstance(term, Number)}
+    constants = {abs(term.value) for entry in entries for term in terms_of(entry) if isinstance(term, Number)}
     return _atoms(entries) + [Number(value) for value in sorted(constants) if value]
-
-
-def _terms(entry: Expression) -> tuple[Expression, ...]:
-    return entry.terms if isinstance(entry, Sum) else (entry,)
 
 
 def _atoms(entries: Iterable[Expression]) -> list[Expression]:
     found: dict[Expression, None] = {}
     for entry in entries:
-        for term in _terms(entry):
+        for term in terms_of(entry):
             rest = _unweighted(term)
             if not isinstance(rest, (Number, Pi)):
                 found[rest] = None

@@ -191,7 +191,7 @@ def _factors(minor: Expression, table: SymbolicTable) -> list[Expression]:
     expanded = sp.expand_trig(to_sympy(minor))
     found: list[Expression] = []
     behind = ((i, expanded.subs({sp.sin(q[i]): 0, sp.cos(q[i]): -1})) for i in turning)
-    found += [_half(Function.COS, i) for i, rest in behind if sp.expand(sp.expand_trig(rest)) == 0]
+    found += [_half_cosine(i) for i, rest in behind if sp.expand(sp.expand_trig(rest)) == 0]
     _, factors = sp.factor_list(sp.numer(sp.together(expanded.subs(values))))
     for factor, _ in factors:
         back = factor
@@ -205,5 +205,5 @@ def _factors(minor: Expression, table: SymbolicTable) -> list[Expression]:
     return found
 
 
-def _half(function: Function, joint: int) -> Expression:
-    return call(function, multiply((power(number(2), -1), JointVariable(joint))))
+def _half_cosine(joint: int) -> Expression:
+    return call(Function.COS, multiply((power(number(2), -1), JointVariable(joint))))

@@ -5,7 +5,7 @@ import csv
 import io
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import PurePosixPath
 from typing import Any, TypeAlias
 from unicodedata import normalize
@@ -108,7 +108,7 @@ def _json(name: str, content: bytes) -> object:
     try:
         return decode_json(content, _JSON_LIMITS)
     except ServiceError as error:
-        raise RequestError(replace(fault, where=(name, *fault.where)) for fault in error.faults) from None
+        raise RequestError(fault.within(name) for fault in error.faults) from None
 
 
 def _json_tables(

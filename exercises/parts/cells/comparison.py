@@ -88,6 +88,11 @@ def agreeing(actual: Floats, wanted: Floats, size: float, tolerance: Tolerance) 
     return np.asarray(close.all(axis=0), dtype=np.bool_)
 
 
+def likeness(context: Context, actual: Floats) -> Callable[[Floats], bool]:
+    """Return what tells whether an answer, (k, 4, 4), agrees with other matrices in every cell."""
+    return lambda other: bool(agreeing(actual, other, context.size, context.policy.tolerance).all())
+
+
 def halves_right(cells: NDArray[np.bool_], wanted: Floats, size: float, tolerance: Tolerance) -> float:
     """Return what a ⁰T_N earns by its cells: half for the rotation and half for the position.
 

@@ -13,10 +13,10 @@ from exercises.grading.verdict import ParamValue
 from exercises.parts.cells.comparison import (
     Compared,
     Expected,
-    agreeing,
     cell_names,
     compare,
     is_rigid,
+    likeness,
     transposed_cells,
     transposed_rotation,
 )
@@ -26,7 +26,7 @@ from exercises.parts.context import Context
 from exercises.parts.forward.value import is_robot, reads_as_robot
 from exercises.parts.protocol import TABLE, Length, PartType, Reading
 from exercises.parts.report import Credit, Fact, PartReport, fact, judged, told_from
-from kinematics.se3 import Floats, inverse_transform
+from kinematics.se3 import inverse_transform
 from kinematics.table import JointType, NumericRow
 
 
@@ -42,10 +42,7 @@ def _what_is_off(context: Context, i: int, compared: Compared) -> Feedback:
     links = context.own_links(samples)
     own = links[i]
     params: dict[str, ParamValue] = {"matrix": i + 1, "cells": cell_names(compared.cells)}
-
-    def looks_like(other: Floats) -> bool:
-        return bool(agreeing(compared.actual, other, context.size, context.policy.tolerance).all())
-
+    looks_like = likeness(context, compared.actual)
     if looks_like(context.own_links(samples, context.own.table.convention.other)[i]):
         return Feedback(code="matrix_other_convention", row=i + 1, params=params)
     if looks_like(inverse_transform(own)):

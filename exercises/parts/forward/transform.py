@@ -13,12 +13,12 @@ from exercises.grading import Feedback, HelpLevel
 from exercises.parts.cells.comparison import (
     Compared,
     Expected,
-    agreeing,
     cell_facts,
     cell_names,
     compare,
     halves_right,
     is_rigid,
+    likeness,
     transposed_cells,
     transposed_rotation,
 )
@@ -28,7 +28,7 @@ from exercises.parts.context import Context
 from exercises.parts.forward.value import is_robot, reads_as_robot
 from exercises.parts.protocol import TABLE, PartType, Reading
 from exercises.parts.report import Credit, PartReport, judged, told_from
-from kinematics.se3 import Floats, inverse_transform
+from kinematics.se3 import inverse_transform
 
 
 def transform_is_robot(context: Context, answer: SymbolicMatrix) -> bool:
@@ -58,9 +58,7 @@ def _what_is_off(context: Context, compared: Compared) -> Feedback:
     frames = list(accumulate(links, np.matmul))
     own = frames[-1]
 
-    def looks_like(other: Floats) -> bool:
-        return bool(agreeing(compared.actual, other, context.size, context.policy.tolerance).all())
-
+    looks_like = likeness(context, compared.actual)
     if looks_like(inverse_transform(own)):
         return Feedback(code="transform_inverse")
     if looks_like(transposed_rotation(own)):

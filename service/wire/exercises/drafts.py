@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import fields
+from dataclasses import fields, replace
 from functools import lru_cache
 from typing import Any
 
@@ -45,16 +45,12 @@ def _placed(fault: Fault) -> Fault:
     """Return the fault at its place in the body: a file is a member of the draft."""
     head, *rest = (*fault.where, "")[:1] + fault.where[1:] if fault.where else ("",)
     if head == FILE:
-        return _at(fault, "draft", "definition", *rest)
+        return replace(fault, where=("draft", "definition", *rest))
     if isinstance(head, str) and head.startswith("statement."):
-        return _at(fault, "draft", "statements", head.split(".")[1], *rest)
+        return replace(fault, where=("draft", "statements", head.split(".")[1], *rest))
     if head == "id":
-        return _at(fault, "draft", "id")
+        return replace(fault, where=("draft", "id"))
     return fault
-
-
-def _at(fault: Fault, *where: str | int) -> Fault:
-    return Fault.at(fault.code, *where, **fault.params)
 
 
 def exercise_of(draft: ExerciseDraft) -> Exercise:
