@@ -108,6 +108,7 @@ WholeOrText: TypeAlias = Annotated[
 """A number as a page sends it, too; what is neither is told at its own place, not at both choices."""
 
 Real: TypeAlias = Annotated[float, Field(strict=True, allow_inf_nan=False)]
+Share: TypeAlias = Annotated[Real, Field(gt=0, le=0.1)]  # A tolerance: of a size, or [rad].
 Vector3: TypeAlias = Annotated[list[Real], Field(min_length=3, max_length=3)]
 
 Coordinate: TypeAlias = Annotated[

@@ -15,7 +15,7 @@ from kinematics.errors import Fault, JointValueError
 from kinematics.expressions import Expression
 from kinematics.symbolic import ProofStatus
 from service.http.calls import CallRouter
-from service.schemas.base import Real, Wire
+from service.schemas.base import Share, Wire
 from service.schemas.choices import forbidding, together
 from service.schemas.kinematics.dynamics_request import WeighedRobot
 from service.schemas.kinematics.robot_question import NO_ROBOT
@@ -38,9 +38,7 @@ class CheckDynamicsRequest(WeighedRobot):
     C: EquationRows | None = Field(None, description="n×n expressions: any C with the right C q̇")
     h: EquationRow | None = Field(None, description="C q̇; beside C, both are judged")
     g: EquationRow | None = Field(None, description="gravity terms")
-    tolerance: Annotated[Real, Field(gt=0, le=0.1)] = Field(
-        TOLERANCE, description="of an entry that is not proved, as a share of its size"
-    )
+    tolerance: Share = Field(TOLERANCE, description="of an entry that is not proved, as a share of its size")
 
 
 class DynamicsMistakeModel(Wire):

@@ -20,7 +20,7 @@ from kinematics.rotations.sequences import EulerSequence
 from kinematics.symbolic import ProofStatus
 from service.http.calls import CallRouter
 from service.http.problems import located
-from service.schemas.base import OneOf, Real, Vector6, Wire
+from service.schemas.base import OneOf, Real, Share, Vector6, Wire
 from service.schemas.choices import forbidding, together
 from service.schemas.kinematics.orientations import RatesOfAngles
 from service.schemas.kinematics.robot_question import NO_ROBOT, RobotQuestion
@@ -64,9 +64,7 @@ class CheckJacobianRequest(JacobianCheck):
     )
     wrench: Vector6 | None = Field(None, description="force and moment at the last frame's origin")
     joint_forces: Columns | None = Field(None, description="τ = Jᵀ · wrench, one for each joint")
-    tolerance: Annotated[Real, Field(gt=0, le=0.1)] = Field(
-        0.005, description="of an entry; of a length as a share of the robot's size"
-    )
+    tolerance: Share = Field(0.005, description="of an entry; of a length as a share of the robot's size")
 
 
 class CheckJacobianFormRequest(JacobianCheck):
@@ -79,7 +77,7 @@ class CheckJacobianFormRequest(JacobianCheck):
         None, description="force and moment at the last frame's origin: numbers, or fx, fy, fz, mx, my, mz"
     )
     joint_forces: FormRow | None = Field(None, description="τ = Jᵀ · wrench, one expression for each joint")
-    tolerance: Annotated[Real, Field(gt=0, le=0.1)] = Field(
+    tolerance: Share = Field(
         0.005, description="of an entry that is not proved; of a length as a share of the robot's size"
     )
 

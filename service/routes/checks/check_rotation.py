@@ -22,7 +22,7 @@ from kinematics.rotations.properties import failed_properties
 from kinematics.rotations.sequences import GimbalFamily
 from service.http.calls import CallRouter
 from service.http.problems import located
-from service.schemas.base import OneOf, Real, Vector3, Wire
+from service.schemas.base import OneOf, Real, Share, Vector3, Wire
 from service.schemas.choices import forbidding, not_one_of
 from service.schemas.kinematics.orientations import HALF_AN_AXIS, NOTATIONS, FamilyModel, OrientationModel
 from service.schemas.spoken import feedback_sentence
@@ -49,7 +49,7 @@ class CheckRotationRequest(Wire):
     answer: OrientationAnswerModel = Field(description="what is judged")
     every: bool = Field(False, description="all triples are asked, not one")
     angle_unit: OneOf[AngleUnit] = Field(AngleUnit.RAD, description="unit of all angles")
-    tolerance: Annotated[Real, Field(gt=0, le=0.1)] = Field(
+    tolerance: Share = Field(
         USUAL_TOLERANCE, description="largest error of an entry of a matrix, or of the rotation [rad]"
     )
 

@@ -1,7 +1,5 @@
 """POST /rotations: an orientation in every notation."""
 
-from typing import Annotated
-
 from pydantic import Field
 
 from kinematics.cells import AngleUnit
@@ -11,7 +9,7 @@ from kinematics.rotations.properties import RotationProperty, failed_properties
 from kinematics.rotations.sequences import SEQUENCES, EulerSequence, Turning, euler_solutions
 from service.http.calls import CallRouter
 from service.http.problems import located
-from service.schemas.base import OneOf, Real, Vector3, Wire
+from service.schemas.base import OneOf, Real, Share, Vector3, Wire
 from service.schemas.kinematics.orientations import FamilyModel, Matrix3Rows, OrientationModel, Quaternion4
 
 router = CallRouter("kinematics")
@@ -22,9 +20,7 @@ class RotationsRequest(Wire):
 
     orientation: OrientationModel = Field(description="in one notation")
     angle_unit: OneOf[AngleUnit] = Field(AngleUnit.RAD, description="unit of all angles")
-    tolerance: Annotated[Real, Field(gt=0, le=0.1)] = Field(
-        1e-6, description="how far a matrix may be from a rotation"
-    )
+    tolerance: Share = Field(1e-6, description="how far a matrix may be from a rotation")
 
 
 class SequenceAngles(Wire):

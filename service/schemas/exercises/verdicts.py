@@ -15,7 +15,7 @@ from exercises.grading import (
     Verdict,
     ZeroRule,
 )
-from service.schemas.base import OneOf, Wire
+from service.schemas.base import OneOf, Share, Wire
 from service.schemas.derived import model_of
 
 Help = Annotated[
@@ -25,7 +25,6 @@ Help = Annotated[
         description="how much a verdict on a wrong answer tells; each level includes the ones before",
     ),
 ]
-Share = Annotated[float, Field(strict=True, gt=0, le=0.1, allow_inf_nan=False)]
 _TOLERANCE = Tolerance()
 
 
