@@ -24,13 +24,7 @@ from exercises.figures.specification import (
     PointInFrame,
 )
 from exercises.grading.judging.exact_text import expression_text
-from kinematics.expressions import (
-    ZERO,
-    Expression,
-    negate,
-    number,
-    rational_value,
-)
+from kinematics.expressions import ZERO, Expression, negate, number, rational_value
 from kinematics.se3 import Floats
 from kinematics.table import Convention, JointType, SymbolicTable, bind
 

@@ -19,13 +19,7 @@ from exercises.grading.edits.repairs import MOST_WORK, Repaired, find_repairs
 from exercises.grading.edits.throughout import ROUNDED, seen_throughout
 from exercises.grading.edits.work import Work
 from exercises.grading.facts import Weights
-from exercises.grading.findings import (
-    feedback_of,
-    link_findings,
-    told_repairs,
-    told_throughout,
-    wrong_facts,
-)
+from exercises.grading.findings import feedback_of, link_findings, told_repairs, told_throughout, wrong_facts
 from exercises.grading.judging.comparison import Comparison
 from exercises.grading.judging.digits import measured_as_typed, steps_of_wrong, tightened
 from exercises.grading.judging.end_lines import end_invariants, lines_at_ends

@@ -6,14 +6,7 @@ from functools import lru_cache
 
 from exercises.grading.edits.in_common import in_common
 from exercises.grading.edits.repairs import Repaired
-from exercises.grading.explanation import (
-    Diagnosis,
-    Refused,
-    as_typed,
-    clearest,
-    diagnosis,
-    explanation,
-)
+from exercises.grading.explanation import Diagnosis, Refused, as_typed, clearest, diagnosis, explanation
 from exercises.grading.facts import Weights
 from exercises.grading.findings import all_right
 from exercises.grading.idle_rows import renumbered, without_idle_rows

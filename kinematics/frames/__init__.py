@@ -15,5 +15,6 @@ rounding     frames that students rounded
 rules        the rules for a student's frames, one by one
 candidates   origins and directions to choose from
 wrong_frames one mistake in frames that obey the rules: made, found, named and mended
+chosen_frames  the frames that a student has chosen, as far as they are
 trainer      a student's frames against the rules, and the table that follows
 """

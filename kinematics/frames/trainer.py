@@ -7,7 +7,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinematics.errors import DescriptionError, Fault
 from kinematics.forward import forward_kinematics
 from kinematics.frames.advice import direction_advice, first_advice, last_advice, vanishing_advice
 from kinematics.frames.axes import (
@@ -19,48 +18,17 @@ from kinematics.frames.axes import (
     ends_of,
     matrix,
     read_axes,
-    read_direction,
-    read_point,
     robot_size,
 )
 from kinematics.frames.candidates import Candidates, candidates
+from kinematics.frames.chosen_frames import ChosenFrame, read_frames
 from kinematics.frames.exactness import clean_angle, clean_length
 from kinematics.frames.parallels import PARALLEL_TOLERANCE, straighten
 from kinematics.frames.placement import draw_prismatic_axes
 from kinematics.frames.rounding import settled, slides_on_neighbours
 from kinematics.frames.rules import FrameFinding, FramePlace, broken_rules
-from kinematics.se3 import (
-    Transform,
-    Vector,
-    angle_from_to,
-    cross,
-    dot,
-    inverse_transform,
-    norm,
-    subtract,
-    unit,
-)
+from kinematics.se3 import Transform, angle_from_to, dot, inverse_transform, subtract
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericRow, NumericTable
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class ChosenFrame:
-    """A frame as far as a student has chosen it, at the robot's zero position; y follows from z and x.
-
-    Attributes:
-        origin: the origin [m], or None.
-        x: direction of x, or None.
-        z: direction of z, or None.
-        y: None, or the direction z × x beside both of them.
-    """
-
-    origin: Sequence[float] | None = None
-    x: Sequence[float] | None = None
-    z: Sequence[float] | None = None
-    y: Sequence[float] | None = None
-
-
-SAME_DIRECTION = 1e-6  # A y that differs from z × x by no more than this is it.
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -127,7 +95,7 @@ def check_frames(
         PoseError: base or tool is not a rigid motion.
     """
     lines, _ = straighten(read_axes(axes), PARALLEL_TOLERANCE)
-    read = _read_frames(chosen, len(lines))
+    read = read_frames(chosen, len(lines))
     first, last = ends_of(base, tool)
     size = robot_size(lines, first, last)
     robot = _Robot(lines, convention, size)
@@ -170,7 +138,7 @@ def rules_and_table(
     """
     lines, _ = straighten(read_axes(axes), PARALLEL_TOLERANCE)
     robot = _Robot(lines, convention, robot_size(lines, None, None))
-    frames, _, broken = robot.against_rules(_read_frames(chosen, len(lines)), rounding)
+    frames, _, broken = robot.against_rules(read_frames(chosen, len(lines)), rounding)
     sound = _sound(frames, broken)
     return broken, robot.table(robot.rows(sound), sound[0])
 
@@ -260,39 +228,6 @@ class _Robot(NamedTuple):
 def _sound(frames: Sequence[PartialPose], broken: Sequence[Sequence[FrameFinding]]) -> list[Pose | None]:
     """The frames that are whole and break no rule."""
     return [None if faults else _whole(frame) for frame, faults in zip(frames, broken, strict=True)]
-
-
-def _read_frames(chosen: Sequence[ChosenFrame | None], count: int) -> list[PartialPose]:
-    if len(chosen) > count + 1:
-        raise DescriptionError(Fault.at("frames_too_many", "frames", count=count))
-    faults: list[Fault] = []
-    frames = []
-    for i in range(count + 1):
-        frame = chosen[i] if i < len(chosen) else None
-        frame = ChosenFrame() if frame is None else frame
-        where = ("frames", i)
-        read = PartialPose(
-            None if frame.origin is None else read_point(frame.origin, (*where, "origin"), faults),
-            None if frame.x is None else read_direction(frame.x, (*where, "x"), faults),
-            None if frame.z is None else read_direction(frame.z, (*where, "z"), faults),
-        )
-        frames.append(read)
-        if frame.y is not None:
-            before = len(faults)
-            y = read_direction(frame.y, (*where, "y"), faults)
-            if len(faults) == before and not _follows(y, read):
-                faults.append(Fault.at("frame_y_not_z_cross_x", *where, "y"))
-    if faults:
-        raise DescriptionError(faults)
-    return frames
-
-
-def _follows(y: Vector, frame: PartialPose) -> bool:
-    """Whether y is z × x; where x lies along z that rule is broken, and y is not to be blamed for it."""
-    if frame.x is None or frame.z is None:
-        return False
-    across = cross(frame.z, frame.x)
-    return norm(across) < SAME_DIRECTION or norm(subtract(y, unit(across))) <= SAME_DIRECTION
 
 
 def _whole(frame: PartialPose) -> Pose | None:

@@ -9,8 +9,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from kinematics.frames.axes import JointAxis
+from kinematics.frames.chosen_frames import ChosenFrame
 from kinematics.frames.rules import ANGLE_TOLERANCE, BINDING, Severity
-from kinematics.frames.trainer import ChosenFrame, rules_and_table
+from kinematics.frames.trainer import rules_and_table
 from kinematics.se3 import Vector, along, cross, dot, norm, scale, subtract, unit
 from kinematics.table import Convention
 

@@ -6,6 +6,7 @@ motion             direct kinematics and Jacobians by inspection, in numbers
 symbolic_matrices  its matrices in closed form
 differentiation    the Jacobian by differentiating them
 products           products of any motions, in symbols
+product_reading    such products as they are handed in
 dh                 a chain as a modified DH table, through which every other method is open to it
 unrolled           the same for any chain, motion by motion
 rows               elementary motions as rows, joined to as few as possible

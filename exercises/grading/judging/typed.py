@@ -13,15 +13,7 @@ from types import MappingProxyType
 
 from kinematics.angles import TWELFTH
 from kinematics.cells import AngleUnit
-from kinematics.expressions import (
-    ZERO,
-    Expression,
-    Number,
-    evaluate,
-    negate,
-    pi_fraction,
-    pi_times,
-)
+from kinematics.expressions import ZERO, Expression, Number, evaluate, negate, pi_fraction, pi_times
 from kinematics.table import ANGLES, CELLS, DHTable, JointType, SymbolicTable
 
 # An angle typed with fewer than two decimals [rad], or less than one [deg], stands for itself.

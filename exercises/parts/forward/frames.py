@@ -29,9 +29,10 @@ from exercises.parts.report import Credit, Fact, PartReport, fact, judged, share
 from exercises.parts.task import PartTask
 from kinematics.cells import Cell, ReadTable
 from kinematics.frames.axes import JointAxis
+from kinematics.frames.chosen_frames import ChosenFrame
 from kinematics.frames.exactness import exact_table
 from kinematics.frames.rules import BINDING, FrameFinding
-from kinematics.frames.trainer import ChosenFrame, rules_and_table
+from kinematics.frames.trainer import rules_and_table
 from kinematics.table import Convention, NumericTable
 
 PARTS = ("z", "origin", "x")  # The independent facts of a frame.

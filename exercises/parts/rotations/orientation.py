@@ -33,17 +33,19 @@ from exercises.reading import Reader
 from kinematics.poses import axis_angle_from_transform, quaternion_from_transform
 from kinematics.rotations.matrices import Matrix3, Triple, as_transform
 from kinematics.rotations.orientation_answers import (
-    RIGHT,
     USUAL_TOLERANCE,
-    Built,
-    ComponentOrder,
-    OrientationVerdict,
-    RotationMistake,
     judge_axis_angle,
     judge_family,
     judge_matrix,
     judge_quaternion,
     judge_triples,
+)
+from kinematics.rotations.orientation_verdicts import (
+    RIGHT,
+    Built,
+    ComponentOrder,
+    OrientationVerdict,
+    RotationMistake,
 )
 from kinematics.rotations.sequences import Combination, EulerSequence
 

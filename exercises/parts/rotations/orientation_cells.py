@@ -13,7 +13,7 @@ from kinematics.cells import Cell
 from kinematics.cells.meaning import Position
 from kinematics.poses import axis_angle_from_transform, quaternion_from_transform
 from kinematics.rotations.matrices import Matrix3, Triple, as_transform, matrix3
-from kinematics.rotations.orientation_answers import ComponentOrder
+from kinematics.rotations.orientation_verdicts import ComponentOrder
 from kinematics.rotations.sequences import Combination, EulerSequence, GimbalFamily, euler_solutions
 
 CellRow3 = tuple[Cell, Cell, Cell]

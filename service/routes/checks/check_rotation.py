@@ -9,15 +9,13 @@ from kinematics.errors import Fault, PoseError
 from kinematics.rotations.matrices import Matrix3, matrix3
 from kinematics.rotations.orientation_answers import (
     USUAL_TOLERANCE,
-    Built,
-    OrientationVerdict,
-    RotationMistake,
     judge_axis_angle,
     judge_family,
     judge_matrix,
     judge_quaternion,
     judge_triples,
 )
+from kinematics.rotations.orientation_verdicts import Built, OrientationVerdict, RotationMistake
 from kinematics.rotations.properties import failed_properties
 from kinematics.rotations.sequences import GimbalFamily
 from service.http.calls import CallRouter

@@ -8,10 +8,11 @@ from pydantic import Field
 from kinematics.frames.assignment import Freedom, Rule, assign_frames
 from kinematics.frames.axes import Gripper
 from kinematics.frames.candidates import CandidateKind
+from kinematics.frames.chosen_frames import ChosenFrame
 from kinematics.frames.directions import CrossProduct, LengthSigns
 from kinematics.frames.parallels import MAX_PARALLEL_TOLERANCE, PARALLEL_TOLERANCE, NearParallel
 from kinematics.frames.rules import FrameFinding, FramePart, RuleCode, Severity
-from kinematics.frames.trainer import ChosenFrame, check_frames
+from kinematics.frames.trainer import check_frames
 from kinematics.se3 import Transform
 from kinematics.table import JointType
 from service.http.calls import CallRouter

@@ -9,7 +9,7 @@ from pydantic import Discriminator, Field, Tag, WithJsonSchema
 
 from kinematics.cells import AngleUnit, LengthUnit, Limits, ParameterKind
 from kinematics.printing import Format, Notation
-from kinematics.scm.products import LARGEST_VARIABLE, RawFactor, ReadProducts, read_products
+from kinematics.scm.product_reading import LARGEST_VARIABLE, RawFactor, ReadProducts, read_products
 from kinematics.symbolic import ProofStatus
 from service.http.calls import CallRouter
 from service.http.problems import moved

@@ -9,7 +9,7 @@ from kinematics.cells import AngleUnit
 from kinematics.errors import Fault, PoseError
 from kinematics.poses import transform_from_axis_angle, transform_from_quaternion
 from kinematics.rotations.matrices import Matrix3, matrix3, rotation_part
-from kinematics.rotations.orientation_answers import ComponentOrder
+from kinematics.rotations.orientation_verdicts import ComponentOrder
 from kinematics.rotations.sequences import Combination, EulerSequence, Turning
 from service.schemas.base import OneOf, Real, Vector3, Wire
 from service.schemas.choices import forbidding, not_one_of, together

@@ -9,7 +9,7 @@ from kinematics.cells.exact import snapped
 from kinematics.cells.substitution import with_values
 from kinematics.expressions import Expression, pi_times
 from kinematics.scm import ReadChain
-from kinematics.scm.products import ReadProducts
+from kinematics.scm.product_reading import ReadProducts
 from kinematics.se3 import check_transform
 from kinematics.symbolic.exact_poses import decimal, exact_pose
 from kinematics.table import table_parameters

@@ -8,8 +8,8 @@ from kinematics.expressions import Expression
 from kinematics.poses import pose_notations
 from kinematics.printing import Format, Notation, Purpose
 from kinematics.scm.chain import Placement
+from kinematics.scm.product_reading import ReadProducts
 from kinematics.scm.products import (
-    ReadProducts,
     check_rotations,
     compare_matrices,
     jacobian_of_product,

@@ -12,7 +12,7 @@ from exercises.instance import Instance
 from exercises.parts.rotations.orientation import OrientationPart
 from exercises.parts.rotations.orientation_cells import OrientationCells, OrientationNotation
 from exercises.parts.rotations.rotation_check import RotationClaim, RotationClaimCells
-from kinematics.rotations.orientation_answers import ComponentOrder
+from kinematics.rotations.orientation_verdicts import ComponentOrder
 from kinematics.rotations.sequences import SEQUENCES, Combination
 from tests.exercises.meaning.answers_known import KnownAnswer, known, typed, typed_angle, typed_rows
 from tests.exercises.meaning.posed_answers import asking, student

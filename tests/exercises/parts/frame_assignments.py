@@ -11,8 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from kinematics.frames.axes import JointAxis
+from kinematics.frames.chosen_frames import ChosenFrame
 from kinematics.frames.rules import Severity
-from kinematics.frames.trainer import ChosenFrame, check_frames
+from kinematics.frames.trainer import check_frames
 from kinematics.table import Convention, JointType
 
 Array = np.ndarray

@@ -7,12 +7,7 @@ import numpy as np
 import pytest
 
 from kinematics.answers.jacobian_answers import judge_jacobian
-from kinematics.answers.jacobian_forms import (
-    force_form,
-    jacobian_form,
-    judge_force_form,
-    judge_jacobian_form,
-)
+from kinematics.answers.jacobian_forms import force_form, jacobian_form, judge_force_form, judge_jacobian_form
 from kinematics.answers.jacobian_verdicts import JacobianMistake
 from kinematics.cells.substitution import substitute
 from kinematics.chain import chain_of_table

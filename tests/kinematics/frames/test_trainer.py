@@ -8,8 +8,9 @@ import pytest
 from kinematics.errors import DescriptionError
 from kinematics.forward import forward_kinematics
 from kinematics.frames.assignment import assign_frames
+from kinematics.frames.chosen_frames import ChosenFrame
 from kinematics.frames.rules import FramePart, RuleCode, Severity
-from kinematics.frames.trainer import ChosenFrame, check_frames, rules_and_table
+from kinematics.frames.trainer import check_frames, rules_and_table
 from kinematics.se3 import cross
 from kinematics.table import CELLS, Convention
 from tests.kinematics.frames.chains import KINDS, motion, random_chain, random_end

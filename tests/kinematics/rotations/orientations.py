@@ -15,14 +15,13 @@ from numpy.typing import NDArray
 
 from kinematics.rotations.matrices import Matrix3, matrix3
 from kinematics.rotations.orientation_answers import (
-    ComponentOrder,
-    OrientationVerdict,
     judge_axis_angle,
     judge_family,
     judge_matrix,
     judge_quaternion,
     judge_triples,
 )
+from kinematics.rotations.orientation_verdicts import ComponentOrder, OrientationVerdict
 from kinematics.rotations.sequences import SEQUENCES, Combination, EulerSequence, GimbalFamily, Turning
 
 Floats = NDArray[np.float64]

@@ -9,15 +9,13 @@ import pytest
 from kinematics.rotations.frame_chains import ChainFactor, ChainMistake, chain_product, judge_chain
 from kinematics.rotations.matrices import IDENTITY, matrix3, transposed
 from kinematics.rotations.orientation_answers import (
-    Built,
-    ComponentOrder,
-    RotationMistake,
     judge_axis_angle,
     judge_family,
     judge_matrix,
     judge_quaternion,
     judge_triples,
 )
+from kinematics.rotations.orientation_verdicts import Built, ComponentOrder, RotationMistake
 from kinematics.rotations.properties import RotationProperty, failed_properties
 from kinematics.rotations.sequences import Combination, EulerSequence, GimbalFamily, Turning
 from kinematics.se3 import inverse_transform

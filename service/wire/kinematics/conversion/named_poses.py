@@ -28,7 +28,7 @@ from kinematics.expressions import (
     parameters_in,
     pi_times,
 )
-from kinematics.scm.products import read_products
+from kinematics.scm.product_reading import read_products
 from kinematics.se3 import Transform, check_transform
 from kinematics.symbolic import Matrix
 from service.http.problems import located, moved
