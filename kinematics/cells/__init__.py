@@ -8,7 +8,7 @@ table_reader     from the one to the other
 rows, joints     a row, and which joint it holds
 entries          one cell
 From the text of a cell to an expression:
-  pasted_text, characters, unit_words  what comes with pasted text
+  wrapping, characters, unit_words  what comes with pasted text
   scanner, scanned_names  tokens
   variable_marks, bare_arguments  joint variables and functions as they are printed
   grammar, syntax  the tree of a cell

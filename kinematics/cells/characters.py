@@ -25,6 +25,7 @@ _TRANSLATED = {
     "\u03f1": "ρ",
     "\u03f0": "κ",
     "\u00b5": "μ",
+    **dict.fromkeys("\u03d6\u1d28\u220f", "π"),
     "\u2113": "l",
     "\u2126": "Ω",
     "\u207b": "⁻",
@@ -71,6 +72,10 @@ _ALLOWED = re.compile(
     + "]*"
 )
 
+_CYRILLIC_PI = re.compile("(?<![^\\W\\d_])[пП](?![^\\W_])")
+_CYRILLIC_WORD = re.compile("(?<![^\\W\\d_])[пП][іи](?![^\\W_])")
+"""π as it is written on a keyboard without Greek letters: п/2, пі/2."""
+
 _RAISED_POINT = re.compile("(?<![\\w.,])0[\u00b7\u22c5\u2219\u2022][0-9]+")
 
 _LOST_POWER = re.compile(r"(?<![\w.^*])([0-9.]+) ?\* ?10([+-])([0-9]{1,2})(?![0-9A-Za-z_.(^*/°])")
@@ -105,6 +110,7 @@ def translated(text: str) -> str:
         column, character = about.start(1) + 1, about.group(1)
         rest = text[about.end() :].strip()
         raise CellRefusal("about_in_cell", column=column, character=character, suggestion=rest)
+    text = _CYRILLIC_WORD.sub("pi", _CYRILLIC_PI.sub("π", text))
     plain = "".join(_TRANSLATED.get(character, character) for character in text)
     if any(ord(character) >= _MATHEMATICAL_LETTERS.start for character in plain):
         plain = "".join(

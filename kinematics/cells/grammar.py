@@ -46,10 +46,10 @@ _GRAMMAR = r"""
 ?signed: run | MINUS signed -> negative | PLUS signed -> positive
 ?run: power | run power -> beside
 ?power: marked | marked POW exponent -> raised | marked SUPERSCRIPT -> superscript
-?exponent: power | LBRACE sum RBRACE -> braced | MINUS exponent -> negative | PLUS exponent -> positive
+?exponent: power | MINUS exponent -> negative | PLUS exponent -> positive
 ?marked: atom | atom DEGREE -> degrees
 ?atom: NUMBER -> number | NAME -> name | PI -> half_turn | ROOT atom -> root
-     | LPAR sum RPAR -> group
+     | LPAR sum RPAR -> group | LBRACE sum RBRACE -> braced
      | RADIANS LPAR sum RPAR -> radians
      | FUNCTION LPAR arguments RPAR -> application
      | FUNCTION LBRACE sum RBRACE -> command
@@ -128,11 +128,12 @@ class _Builder(Transformer[Token, Node]):
     def superscript(self, base: Node, token: Token) -> Node:
         return self.raised(base, token, Literal(column=_column(token), value=Fraction(str(token))))
 
-    def braced(self, _: Token, value: Node, __: Token) -> Node:
-        return value
-
     def group(self, opening: Token, value: Node, _: Token) -> Node:
         return Parenthesized(column=_column(opening), depth=value.depth + 1, operand=value)
+
+    def braced(self, opening: Token, value: Node, closing: Token) -> Node:
+        # a number stays one: L{1} is no product
+        return value if isinstance(value, Literal) else self.group(opening, value, closing)
 
     def degrees(self, operand: Node, _: Token) -> Node:
         return Degrees(column=operand.column, depth=operand.depth, operand=operand)

@@ -17,7 +17,11 @@ FUNCTION_NAMES = {function.value: function for function in Function} | {
     "arctg": Function.ATAN,
     "arcsen": Function.ASIN,
     "sen": Function.SIN,
+    "seno": Function.SIN,
     "tg": Function.TAN,
+    "raiz": Function.SQRT,
+    "raizq": Function.SQRT,
+    "racine": Function.SQRT,
 }
 """Names of functions, those of the documents' languages included."""
 
@@ -34,6 +38,7 @@ _COMMANDS = {
     "div": "SLASH",
     "circ": "DEGREE",
     "degree": "DEGREE",
+    "textdegree": "DEGREE",
 }
 _FRACTIONS = {"frac", "dfrac", "tfrac"}
 _LETTERS = {"ell": "l"}  # Letters that are commands.
@@ -41,13 +46,13 @@ _SPACING = {"left", "right", "quad", "qquad", ",", ";", ":", "!", " "}
 _GREEK_NAMES = set(GREEK.values()) - {"pi"}
 
 _SUBSCRIPT = "[" + "".join(SUBSCRIPTS) + "]+|_(?:[A-Za-z0-9]+|\\{ *[A-Za-z0-9]+ *\\})"
-_NAME = re.compile(f"([A-Za-z]+|[{''.join(GREEK)}])([0-9]*)((?:{_SUBSCRIPT})*)")
+_NAME = re.compile(f"([A-Za-z]+|[{''.join(GREEK)}])([0-9]*)((?: *(?:{_SUBSCRIPT}))*)")
 _INDEX = re.compile(f"([0-9]*)((?: *(?:{_SUBSCRIPT}))*)")
 _SEGMENT = re.compile(_SUBSCRIPT)
 _COMMAND = re.compile(r"\\([A-Za-z]+|.?)", re.DOTALL)
 _RATE = re.compile(rf"\\dot *(?:\{{ *(?:q|\\theta|θ) *\}}|q|\\theta|θ)([0-9]*)((?: *(?:{_SUBSCRIPT}))*)")
 _DOTTED = re.compile(rf"[qθ]{DOT_ABOVE}([0-9]*)((?: *(?:{_SUBSCRIPT}))*)")
-_FROM_DEGREES = re.compile(r"(?:radians|RADIANS|deg2rad)(?= *\()")
+_FROM_DEGREES = re.compile(r"(?:radians|RADIANS|RADIANES|RADIANOS|deg2rad)(?= *\()")
 """What programs call the function whose argument is in degrees."""
 _EMPTY_CALL = re.compile(r" *\( *\)")  # A spreadsheet writes PI().
 

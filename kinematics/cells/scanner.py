@@ -22,11 +22,11 @@ from kinematics.cells.characters import (
     translated,
 )
 from kinematics.cells.limits import DEFAULT, Limits
-from kinematics.cells.pasted_text import without_wrapping
 from kinematics.cells.refusals import CellRefusal
 from kinematics.cells.scanned_names import Scanned, scan_command, scan_name, token_at
 from kinematics.cells.unit_words import unit_refusal
-from kinematics.cells.variable_marks import without_marks
+from kinematics.cells.variable_marks import is_joint_variable, without_marks
+from kinematics.cells.wrapping import without_wrapping
 from kinematics.expressions import Function
 
 _OPERATORS = {
@@ -46,9 +46,11 @@ _OPERATORS = {
 _ABSOLUTE = ((("FUNCTION", "abs"), ("LPAR", "(")), (("RPAR", ")"),))
 """What two bars in a cell mean: |L1 - L2|."""
 _VALUES_END = {"NUMBER", "NAME", "PI", "RPAR", "RBRACE", "DEGREE", "SUPERSCRIPT"}
+_NO_VALUE = re.compile(r"\s*n *(?:/ *a|\. *a\.?)\s*", re.IGNORECASE)
+"""What stands in a table for nothing: n/a."""
 _NUMBER = re.compile(r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 _MATH = re.compile(r"\$(.*)\$|\\\((.*)\\\)", re.DOTALL)
-_DEGREE_POWER = re.compile(r"\^ *(?:\{ *(?:\\circ|°|o) *\}|\\circ(?![A-Za-z])|°|o(?!\w))")
+_DEGREE_POWER = re.compile(r"\^ *(?:\{ *\^? *(?:\\circ|°|o) *\}|\\circ(?![A-Za-z])|°|o(?!\w))")
 _SUPERSCRIPT = re.compile(f"{SUPERSCRIPT_MINUS}?[{''.join(SUPERSCRIPTS)}]+")
 _FORTRAN_EXPONENT = re.compile(r"[dD]([+-][0-9]+)(?![0-9A-Za-z_.(])")
 """What Fortran writes for e: 1.5D-03. Behind a number it may be a name too: 2D-3 is 2*D - 3."""
@@ -64,6 +66,8 @@ def scan(text: str, limits: Limits = DEFAULT) -> list[Token]:
     """
     if len(text) > limits.cell_characters:
         raise CellRefusal("cell_too_long", length=len(text), limit=limits.cell_characters)
+    if _NO_VALUE.fullmatch(text):
+        raise CellRefusal("cell_dash")
     plain = _without_math_marks(_translated(text))
     tokens: list[Token] = []
     position = 0
@@ -207,6 +211,8 @@ def _without_math_marks(plain: str) -> str:
 def _refuse_calls(tokens: list[Token]) -> None:
     for name, bracket in pairwise(tokens):
         if name.type == "NAME" and bracket.type == "LPAR":
+            if is_joint_variable(name):
+                raise CellRefusal("variable_called", column=bracket.column or 0, name=str(name))
             functions = tuple(function.value for function in Function)
             raise CellRefusal(
                 "function_unknown", column=name.column or 0, name=str(name), functions=functions

@@ -17,6 +17,11 @@ _CALL = ("LPAR", "NAME", "RPAR")
 _INDEX = ("LPAR", "NUMBER", "RPAR")
 
 
+def is_joint_variable(name: str) -> bool:
+    """Return whether a name with a number can only be the variable of a joint that turns."""
+    return _ANGLE_VARIABLE.fullmatch(name) is not None and name[-1].isdigit()
+
+
 def without_marks(tokens: list[Token]) -> list[Token]:
     """Return the tokens with marked joint variables as plain names."""
     if len(tokens) < 2:

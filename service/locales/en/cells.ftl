@@ -1,7 +1,7 @@
 # Why a cell, a table or a parameter is refused.
 
 error-cell_empty = This cell is empty. If the value is zero, write 0.
-error-cell_dash = This cell holds only a dash. If the value is zero, write 0.
+error-cell_dash = This cell holds no value. If the value is zero, write 0.
 error-cell_not_a_value =
     A cell is a number or an expression in text, not { $kind ->
         [list] a list
@@ -81,6 +81,7 @@ error-parameter_two_kinds =
 
 error-variable_without_number = At character { $column }: { $name } needs the number of its joint, as in { $suggestion }.
 error-variable_misspelled = At character { $column }: { $name } is not a joint variable. Write { $suggestion } or θ with the number of the joint.
+error-variable_called = At character { $column }: { $name } is a joint variable, so nothing in parentheses follows it. Write an offset as a sum: { $name } + ….
 error-variable_scaled = At character { $column }: { $name } is multiplied by { $factor }. A joint variable enters as +{ $name } or -{ $name }; otherwise it would not be the motion of its joint.
 error-variable_in_product = At character { $column }: { $name } is multiplied by another quantity. A joint variable enters as +{ $name } or -{ $name } plus an offset.
 error-variable_in_denominator = At character { $column }: { $name } stands in a denominator. A joint variable enters as +{ $name } or -{ $name } plus an offset.

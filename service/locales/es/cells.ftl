@@ -1,7 +1,7 @@
 # Por qué se rechaza una celda, una tabla o un parámetro.
 
 error-cell_empty = Esta celda está vacía. Si el valor es cero, escriba 0.
-error-cell_dash = Esta celda solo contiene un guion. Si el valor es cero, escriba 0.
+error-cell_dash = Esta celda no contiene ningún valor. Si el valor es cero, escriba 0.
 error-cell_not_a_value =
     Una celda contiene un número o una expresión en texto, no { $kind ->
         [list] una lista
@@ -81,6 +81,7 @@ error-parameter_two_kinds =
 
 error-variable_without_number = En el carácter { $column }: { $name } necesita el número de su articulación, como en { $suggestion }.
 error-variable_misspelled = En el carácter { $column }: { $name } no es una variable articular. Escriba { $suggestion } o θ con el número de la articulación.
+error-variable_called = En el carácter { $column }: { $name } es una variable articular y no lleva nada entre paréntesis. Escriba una constante como suma: { $name } + ….
 error-variable_scaled = En el carácter { $column }: { $name } está multiplicada por { $factor }. Una variable articular entra como +{ $name } o -{ $name }; si no, no sería el movimiento de su articulación.
 error-variable_in_product = En el carácter { $column }: { $name } está multiplicada por otra magnitud. Una variable articular entra como +{ $name } o -{ $name } más una constante.
 error-variable_in_denominator = En el carácter { $column }: { $name } está en un denominador. Una variable articular entra como +{ $name } o -{ $name } más una constante.

@@ -151,7 +151,6 @@ REFUSED = [
     ("2*(1+(3)", "parenthesis_not_closed", 3),
     ("1)", "parenthesis_not_opened", 2),
     ("[1]", "character_not_allowed", 1),
-    ("{1}", "symbol_misplaced", 1),
     ("1, 2", "decimal_comma", 2),
     (",5", "decimal_comma", 1),
     ("-,5", "decimal_comma", 2),

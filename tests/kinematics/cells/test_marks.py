@@ -74,7 +74,7 @@ def test_a_slider_is_marked_in_the_same_ways(cell):
     [
         ("L1(t)", "function_unknown"),
         ("L(1)", "function_unknown"),
-        ("q1(s)", "function_unknown"),
+        ("q1(s)", "variable_called"),
         ("q(1.5)", "function_unknown"),
         ("L1*", "cell_incomplete"),
         ("q1**", "cell_incomplete"),

@@ -1,0 +1,124 @@
+"""Cells as formula editors, computer algebra and pages write them: they mean what they show."""
+
+import pytest
+
+from kinematics.cells import AngleUnit, ParameterKind, read_cell
+from kinematics.errors import CellError
+from tests.kinematics.cells.tables import faults_of, raw_row
+
+ANGLE, LENGTH = ParameterKind.ANGLE, ParameterKind.LENGTH
+
+
+@pytest.mark.parametrize(
+    ("pasted", "plain"),
+    [
+        # MathType puts a base, and the whole of base and index, into braces
+        ("{{\\theta }_{1}}", "q1"),
+        ("\\[{{\\theta }_{1}}\\]", "q1"),
+        ("{{\\theta }_{1}}^{*}", "q1"),
+        ("{{\\theta }_{1}}+\\frac{\\pi }{2}", "q1 + pi/2"),
+        ("{{\\theta }_{1}}-{{90}^{\\circ }}", "q1 - 90°"),
+        ("{{90}^{{}^\\circ }}", "90°"),
+        ("90{}^\\circ", "90°"),
+        ("2{\\pi}/{3}", "2*pi/3"),
+        ("\\[-\\frac{\\pi }{2}\\]", "-pi/2"),
+        ("90\\textdegree", "90°"),
+        # Mathematica
+        ("\\[Pi]/2", "pi/2"),
+        ("Subscript[θ,1]", "q1"),
+        ("Subscript[\\[Theta], 1] + \\[Pi]/2", "q1 + pi/2"),
+        ("-\\[Theta]1", "-q1"),
+        ("\\[CapitalTheta]1", "q1"),
+        ("\\[CurlyTheta]1", "q1"),
+        ("90\\[Degree]", "90°"),
+        # pages
+        ("90&deg;", "90°"),
+        ("&minus;&pi;/2", "-pi/2"),
+        ("&theta;<sub>1</sub> + 90&#176;", "q1 + 90°"),
+        ("&theta;&#8321;&nbsp;&#x2212; &pi;/2", "q1 - pi/2"),
+        # other keyboards, other fonts, other spreadsheets
+        ("п/2", "pi/2"),
+        ("-П/2", "-pi/2"),
+        ("2п/3", "2*pi/3"),
+        ("пі/2", "pi/2"),
+        ("пи/2", "pi/2"),
+        ("ϖ/2", "pi/2"),
+        ("∏/2", "pi/2"),
+        ("=RADIANES(90)", "pi/2"),
+        ("=RADIANOS(-90)", "-pi/2"),
+    ],
+)
+def test_angle(pasted, plain):
+    assert read_cell(pasted, ANGLE) == read_cell(plain, ANGLE)
+
+
+@pytest.mark.parametrize(
+    ("pasted", "plain"),
+    [
+        ("{{L}_{1}}", "L1"),
+        ("{{L}_{1}}+{{L}_{2}}", "L1 + L2"),
+        ("2{{L}_{1}}", "2*L1"),
+        ("\\sqrt{2}{{L}_{1}}", "sqrt(2)*L1"),
+        ("\\frac{{{L}_{1}}}{2}{{L}_{2}}", "L1/2*L2"),
+        ("\\frac{1}{{{L}_{1}}}", "1/L1"),
+        ("1/{2{{L}_{1}}}", "1/(2*L1)"),
+        ("-{L_1-L_2}", "-(L1 - L2)"),
+        ("{L}x", "L*x"),
+        ("{L}1", "L1"),
+        ("{\\it L}_1", "L1"),
+        ("{\\rm L}_{1}", "L1"),
+        ("\\displaystyle L_1", "L1"),
+        ("a\\_2 + 1", "a2 + 1"),
+        ("L ₁", "L1"),
+        ("Subscript[a,2]", "a2"),
+        ("Subscript[L, max]/2", "L_max/2"),
+        ("a<sub>2</sub>", "a2"),
+        ("2&times;L1", "2*L1"),
+        ("RAIZ(2)*L1", "sqrt(2)*L1"),
+        ("=RACINE(2)", "sqrt(2)"),
+        ("L1*SENO(pi/6)", "L1/2"),
+        ("L^{2}^{1}", "L^2"),
+    ],
+)
+def test_length(pasted, plain):
+    assert read_cell(pasted, LENGTH) == read_cell(plain, LENGTH)
+
+
+@pytest.mark.parametrize(
+    ("cell", "code"),
+    [
+        ("L{1}", "number_after_value"),
+        ("{}", "value_missing"),
+        ("{L1", "parenthesis_not_closed"),
+        ("{L1)", "value_missing"),
+        ("\\[Foo]", "character_not_allowed"),
+        ("Subscript[a]", "character_not_allowed"),
+        ("&lt;", "character_not_allowed"),
+        ("&nothing;", "character_not_allowed"),
+        ("&#0;", "character_not_allowed"),
+        ("п1", "character_not_allowed"),
+        ("кут", "character_not_allowed"),
+        ("\\frac{{L}_1}", "cell_incomplete"),
+        ("n/a", "cell_dash"),
+        (" N/A ", "cell_dash"),
+        ("n.a.", "cell_dash"),
+    ],
+)
+def test_what_means_nothing_is_refused(cell, code):
+    assert faults_of(raw_row(a=cell)) == [(code, ("rows", 0, "a"))]
+
+
+@pytest.mark.parametrize("cell", ["θ1(+90°)", "θ1 (0)", "q1 (rad)", "\\theta_1 (var)", "Q1(2)"])
+def test_no_product_is_proposed_where_something_in_parentheses_follows_a_joint_variable(cell):
+    assert faults_of(raw_row(theta=cell)) == [("variable_called", ("rows", 0, "theta"))]
+
+
+def test_lengths_n_and_a_may_still_be_divided():
+    assert read_cell("L1*n/a", LENGTH) == read_cell("L1*n*(1/a)", LENGTH)
+
+
+def test_columns_are_those_of_the_text_as_typed():
+    for text, column in [("90&deg; + ?", 11), ("{{\\theta }_{1}} + ?", 19), ("\\[Pi]/2 + ?", 11)]:
+        with pytest.raises(CellError) as caught:
+            read_cell(text, ANGLE, angle_unit=AngleUnit.RAD)
+        assert caught.value.faults[0].params["column"] == column
