@@ -34,6 +34,7 @@ from kinematics.answers.screw_answers import (
 )
 from kinematics.cells import Cell
 from kinematics.cells.meaning import Position
+from kinematics.equivalence import Policy
 from kinematics.screws import product_of_exponentials
 from kinematics.se3 import inverse_transform
 
@@ -126,11 +127,10 @@ class ScrewsPart(PartType[Part, ScrewsCells, ByName[ScrewAnswer]]):
         key = key_numbers(context.instance)
         found = judge_screws(key, answer, context.policy)
         if found.right:
-            return judged(part, 1.0, Credit.KEY, feedback=(Feedback(code="screws_right"),))
+            return judged(part, 1.0, Credit.KEY, feedback=screw_feedback(found, context.policy))
         off = {pair.second - 1 for pair in found.pairs if not pair.alike}
         facts = [fact(i not in off, "screws", i) for i in range(1, len(answer.screws))]
-        feedback = [Feedback(code=_code(found))]
-        feedback += [Feedback(code=rule_broken(rule, context.policy)) for rule in found.broken or ()]
+        feedback = screw_feedback(found, context.policy)
         feedback += [
             Feedback(code=f"screw_{mistake.value}", params={"joint": joint or 0})
             for mistake, joint in found.mistakes
@@ -163,8 +163,15 @@ class ScrewsPart(PartType[Part, ScrewsCells, ByName[ScrewAnswer]]):
             yield _code(found), _cells(body)
 
 
+def screw_feedback(found: ScrewVerdict, policy: Policy) -> list[Feedback]:
+    """Return what is said of an answer as a whole, and the rule that the right robot breaks."""
+    broken = [Feedback(code=rule_broken(rule, policy)) for rule in found.broken or ()]
+    return [Feedback(code=_code(found)), *broken]
+
+
 def _code(found: ScrewVerdict) -> str:
-    """Return what is said of a wrong answer as a whole."""
+    if found.right:
+        return "screws_right"
     return "screws_wrong" if found.broken is None else "screws_right_robot"
 
 

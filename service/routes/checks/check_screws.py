@@ -5,13 +5,14 @@ from typing import Annotated
 import numpy as np
 from pydantic import Field
 
+from exercises.parts.motion.screws import screw_feedback
 from kinematics.answers.screw_answers import ScrewAnswer, ScrewFrame, ScrewMistake, ScrewOrder, judge_screws
 from kinematics.errors import DescriptionError, Fault
 from service.http.calls import CallRouter
 from service.schemas.base import Matrix4, OneOf, Real, Wire
 from service.schemas.exercises.verdicts import PolicyModel
 from service.schemas.kinematics.robot_question import PoseInput, RobotQuestion
-from service.schemas.spoken import feedback_sentence
+from service.schemas.spoken import SpokenFeedback, feedback_sentence, spoken
 from service.schemas.tables import Units
 from service.wire.fault_pointers import traced
 from service.wire.kinematics.joint_values import in_request_units
@@ -56,6 +57,9 @@ class CheckScrewsAnswer(Units):
     relations: list[bool] = Field(
         description="of a wrong answer: which neighbouring axes lie to each other as the robot's"
     )
+    feedback: list[SpokenFeedback] = Field(
+        description="whether it is the robot and, if it is but breaks one rule of the policy, which one"
+    )
     mistakes: list[ScrewMistakeModel] = Field(description="the usual slips that explain a wrong answer")
 
 
@@ -86,7 +90,8 @@ def check_screws(body: CheckScrewsRequest, robot: PreparedRobot, language: str) 
         screws = np.hstack([screws[:, 3:], screws[:, :3]])
     with traced(body):
         answer = ScrewAnswer(screws=screws, home=home, frame=body.frame)
-        found = judge_screws(robot.table, answer, body.policy.policy())
+        policy = body.policy.policy()
+        found = judge_screws(robot.table, answer, policy)
     certificate = found.certificate
     units = robot.joint_units
     return CheckScrewsAnswer(
@@ -97,6 +102,7 @@ def check_screws(body: CheckScrewsRequest, robot: PreparedRobot, language: str) 
         base=None if certificate is None else certificate.base.tolist(),
         tool=None if certificate is None else certificate.tool.tolist(),
         relations=[pair.alike for pair in found.pairs if pair.second == pair.first + 1],
+        feedback=spoken(screw_feedback(found, policy), language),
         mistakes=[
             ScrewMistakeModel(
                 code=mistake,
