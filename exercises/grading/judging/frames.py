@@ -2,7 +2,7 @@
 
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from exercises.grading.judging.certificate_report import in_unit
@@ -19,6 +19,7 @@ NOTICED = 1e-3  # [rad], and a share of the robot: smaller differences of frames
 NOTICED_IF_ROUNDED = 0.02  # The same, where rounded entries turn and move frames by a little of their own.
 # Of a residual: above it an answer was right only because of rounding.
 ROUNDED = 1e-8
+OF_VARIABLES = {"variable_reversed", "variable_offset"}
 _NUMBER = re.compile(r"-?[\d.]+")
 
 
@@ -44,12 +45,13 @@ def explained(
         told.append(Feedback(code="other_convention", params={"convention": answer.convention.value}))
     if _same_layout(key, answer):
         told += _frames(key, answer, certificate, noticed)
+        told += _variables(told, key, answer, certificate, exact, unit, noticed)
     else:
         told += _joints(key, answer, certificate)
         told += _zeros(answer, certificate, exact, unit, noticed)
         told += _ends(key, answer, certificate, noticed)
-    if not told:
-        told.append(Feedback(code="same_frames"))
+    if all(said.code in OF_VARIABLES for said in told):
+        told.insert(0, Feedback(code="same_frames"))
     if certificate.residual > ROUNDED:
         told.append(Feedback(code="rounded"))
     return tuple(told)
@@ -109,6 +111,29 @@ def _frames(
             body += 1
         apart = compose(compose(inverse(ours[k]), motions[body]), theirs[k])
         yield from _apart(apart, k, _joint_of_axis(answer, k), noticed)
+
+
+def _variables(
+    told: Sequence[Feedback],
+    key: NumericTable,
+    answer: NumericTable,
+    certificate: Certificate,
+    exact: ExactCertificate | None,
+    unit: AngleUnit,
+    noticed: _Noticed,
+) -> Iterator[Feedback]:
+    """Joint by joint, where frames correspond: the variable counts from elsewhere, or the other way.
+
+    Beside a frame that lies elsewhere the variable's zero follows from the frame, of which is told already.
+    """
+    apart = {said.params["frame"] for said in told}
+    of_joints = (
+        *_joints(key, answer, certificate),
+        *_zeros(answer, certificate, exact, unit, noticed),
+    )
+    for said in of_joints:
+        if said.code in OF_VARIABLES and said.row is not None and apart.isdisjoint({said.row - 1, said.row}):
+            yield said
 
 
 def _ends(

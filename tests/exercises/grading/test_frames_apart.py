@@ -81,7 +81,25 @@ OTHER = ("other_convention", None, {"convention": "modified"})
     ("convention", "cells", "told"),
     [
         ("standard", [(1, 2, 0.3)], [("origin_slid", None, {"frame": 0})]),
-        ("standard", [(1, 3, "q1 + pi/2")], [("same_frames", None, {})]),
+        (
+            "standard",
+            [(1, 3, "q1 + pi/2")],
+            [("same_frames", None, {}), ("variable_offset", 1, {"joint": 1, "offset": "-pi/2"})],
+        ),
+        (
+            "standard",
+            [(2, 3, "pi/6 - q2"), (3, 3, "-q3")],
+            [
+                ("same_frames", None, {}),
+                *(("variable_reversed", k, {"joint": k}) for k in (2, 3)),
+                ("variable_offset", 2, {"joint": 2, "offset": "pi/6"}),
+            ],
+        ),
+        (
+            "standard",
+            [(1, 2, 0.3), (1, 3, "q1 + 0.5"), (3, 3, "q3 + pi/2")],
+            [("origin_slid", None, {"frame": 0}), ("variable_offset", 3, {"joint": 3, "offset": "-pi/2"})],
+        ),
         (
             "standard",
             [(4, 0, "-pi/2"), (5, 0, "pi/2")],
@@ -131,4 +149,4 @@ def test_frames_between_joints_move_with_the_joint_before_them() -> None:
     ]
     answer = read("standard", with_cells(rows, (3, 3, "q2 + pi/2")))
     verdict = grade(read("standard", rows), answer, Policy(tool=ToolRule.FRAME))
-    assert [entry.code for entry in verdict.feedback] == ["same_frames"]
+    assert [entry.code for entry in verdict.feedback] == ["same_frames", "variable_offset"]
