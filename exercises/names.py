@@ -12,19 +12,31 @@ from exercises.definition import Exercise
 from kinematics.cells import ParameterKind, ReadTable, nearest_name
 from kinematics.cells.substitution import substitute, with_values
 from kinematics.cells.unit_words import is_symbol_of_unit
-from kinematics.cells.variables import variable_index
+from kinematics.cells.variables import misspelled_index, variable_index
 from kinematics.errors import CellError, Fault, ParamValue
 from kinematics.expressions import Expression, Parameter, parameters_in
 from kinematics.table import ANGLES
 
 
 def unknown_name(
-    name: str, exercise: Exercise, where: tuple[str | int, ...], others: Collection[str] = ()
+    name: str,
+    exercise: Exercise,
+    where: tuple[str | int, ...],
+    others: Collection[str] = (),
+    *,
+    moving: bool = False,
 ) -> Fault:
-    """Return the fault of a name that means nothing in an exercise."""
+    """Return the fault of a name that means nothing in an exercise.
+
+    Args:
+        others: names that may stand there besides the exercise's own.
+        moving: joint variables may stand there, too.
+    """
     own = tuple(exercise.reference.parameters)
     known = (*own, *sorted(set(others) - set(own)))
     close = nearest_name(name, (*known, *exercise.aliases))
+    if close is None and moving and (index := misspelled_index(name)) is not None:
+        close = f"q{index}"
     if name.startswith("alpha") and where and where[-1] in ANGLES and _is_length(close, exercise):
         close = None  # no a is taken for the twist of a row
     params: dict[str, ParamValue] = {
@@ -91,7 +103,7 @@ def in_own_names(
         raise CellError(
             Fault.at("joint_variable_in_number", *where, name=name)
             if is_constant and variable_index(name) is not None
-            else unknown_name(name, exercise, where, others)
+            else unknown_name(name, exercise, where, others, moving=not is_constant)
             for name in unknown
         )
     meanings = _meanings(names, exercise)

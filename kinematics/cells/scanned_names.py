@@ -27,6 +27,8 @@ FUNCTION_NAMES = {function.value: function for function in Function} | {
 
 _TURNED = {"sin", "cos", "tan", "sen", "tg"}
 """Functions behind which a number is an argument, sin30, and no index."""
+_TURNED_VARIABLE = re.compile(r"(sin|cos|tan|sen|tg)(q|theta)$", re.IGNORECASE)
+"""A function that runs into its argument: cosq1."""
 _NAME_CHARACTERS = 32  # Characters of a name; longer ones are text that was pasted by mistake.
 _NOT_VALUES = {"nan", "inf", "infinity"}
 _COMMANDS = {
@@ -76,6 +78,12 @@ def scan_name(plain: str, start: int, limits: Limits) -> Scanned:
         return [token_at("RADIANS", radians.group(), start)], radians.end()
     assert match is not None
     word, digits, scripts = match.groups()
+    turned = _TURNED_VARIABLE.match(word)
+    if turned and (digits or scripts):
+        index = start + turned.start(2)
+        name = _spelled(turned[2], digits, scripts, index)
+        function = token_at("FUNCTION", FUNCTION_NAMES[turned[1].lower()].value, start)
+        return [function, token_at("NAME", name, index)], match.end()
     _refuse_what_runs_on(plain, match.group(), start, match.end())
     word = GREEK.get(word, word)
     if word.lower() == "pi" and (digits or scripts):
@@ -88,9 +96,9 @@ def scan_name(plain: str, start: int, limits: Limits) -> Scanned:
             return [token_at("DEGREE", "°", start)], match.end()
         if word.lower() in _NOT_VALUES:
             raise CellRefusal("name_is_not_a_number", column=start + 1, name=word)
-    function = _function(word + digits) if not scripts else None
-    if function is not None:
-        return [token_at("FUNCTION", function.value, start)], match.end()
+    called = _function(word + digits) if not scripts else None
+    if called is not None:
+        return [token_at("FUNCTION", called.value, start)], match.end()
     if digits and not scripts and word in _TURNED:
         raise CellRefusal("function_without_parentheses", column=start + 1, name=word)
     return [token_at("NAME", _spelled(word, digits, scripts, start), start)], match.end()
@@ -146,9 +154,6 @@ def _refuse_what_runs_on(plain: str, text: str, start: int, end: int, *, after_d
     following = plain[end : end + 1]
     if following == "_":
         raise CellRefusal("name_malformed", column=end + 1)
-    if (
-        following.isascii()
-        and following.isalnum()
-        and ((after_digits and text[-1] not in GREEK) or following.isdigit())
-    ):
+    ended = text[-1] in GREEK or text[-1] in SUBSCRIPTS or text[-1] == "}"
+    if following.isascii() and following.isalnum() and ((after_digits and not ended) or following.isdigit()):
         raise CellRefusal("names_run_together", column=start + 1, text=text)

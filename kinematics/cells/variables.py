@@ -43,6 +43,12 @@ def variable_index(name: str) -> int | None:
     return int(match.group(1)) if match else None
 
 
+def misspelled_index(name: str) -> int | None:
+    """Return the k of th_k, t_k and other names that are none of a joint variable and mean it; else None."""
+    match = _MISSPELLED.fullmatch(name)
+    return int(match.group(1)) if match and match.group(1) else None
+
+
 def refuse_numberless(node: Node) -> None:
     """Refuse q, θ, q_i and θ_i: a variable has the number of its joint.
 

@@ -38,6 +38,8 @@ _LOWERED = re.compile(r"<sub>\s*(\w+)\s*</sub>", re.IGNORECASE)
 _ALGEBRA_LETTER = re.compile(r"\\\[(?:Curly|Script)?(Capital)?([A-Z][a-z]+)\]")
 """A letter, or the degree sign, in Mathematica: \\[Theta], \\[CapitalTheta], \\[Degree]."""
 _ALGEBRA_INDEX = re.compile(r"Subscript\[\s*([^\W\d_]+)\s*,\s*(\w+)\s*\]")
+_ALGEBRA_CALL = re.compile(r"(?<![^\W_])((?:Arc)?(?:Sin|Cos)|Tan|Sqrt)\[([^\[\]]*)\]")
+"""What Mathematica calls: Cos[q1]; its ArcTan takes x before y."""
 _LETTERS = {name: letter for letter, name in GREEK.items()}
 
 
@@ -54,7 +56,7 @@ def without_wrapping(text: str) -> str:
     text = _without_markup(text)
     text = _MODULE.sub(lambda module: " " * len(module[0]), text)
     plain = _EQUALS.sub(r"\1 ", text, count=1) if _EQUALS.match(text) else text
-    plain = text = _COUNTED.sub(r"\1_\2 ", plain)
+    plain = text = _called(_COUNTED.sub(r"\1_\2 ", plain))
     plain = text = _STAR_FIRST.sub(lambda star: f"{star[1]}{star[2]}".ljust(len(star[0])), plain)
     plain = text = _without_braces(plain)
     if "\\" not in plain:
@@ -77,6 +79,13 @@ def _without_markup(text: str) -> str:
     if "\\" in text:
         text = _SWITCH.sub(lambda switch: " " * len(switch[0]), text)
         text = _ESCAPED_INDEX.sub(r"\1 ", text)
+    return text
+
+
+def _called(text: str) -> str:
+    before = ""
+    while before != text and "[" in text:
+        before, text = text, _ALGEBRA_CALL.sub(r"\1(\2)", text)
     return text
 
 

@@ -78,6 +78,14 @@ def test_angle(pasted, plain):
         ("=RACINE(2)", "sqrt(2)"),
         ("L1*SENO(pi/6)", "L1/2"),
         ("L^{2}^{1}", "L^2"),
+        # an index in braces, or a lowered one, ends where it ends
+        ("c₁c₂ − s₁s₂", "c1*c2 - s1*s2"),
+        ("c_{1}c_{2}-s_{1}s_{2}", "c1*c2 - s1*s2"),
+        ("L_{max}x", "L_max*x"),
+        ("cosθ₁cosθ₂ - sinq1sinq2", "cos(θ1)*cos(θ2) - sin(q1)*sin(q2)"),
+        ("L1 cosq_{12}", "L1*cos(q12)"),
+        ("Cos[q1 + Subscript[q, 2]]", "cos(q1 + q2)"),
+        ("Sqrt[L1^2 + Cos[θ[1]]^2]", "sqrt(L1^2 + cos(q1)^2)"),
     ],
 )
 def test_length(pasted, plain):
@@ -88,6 +96,12 @@ def test_length(pasted, plain):
     ("cell", "code"),
     [
         ("L{1}", "number_after_value"),
+        ("L₁2", "names_run_together"),
+        ("L_{1}2", "names_run_together"),
+        ("L1L2", "names_run_together"),
+        ("cosq1²", "function_without_parentheses"),
+        ("ArcTan[1, 2]", "character_not_allowed"),
+        ("Cos[q1", "character_not_allowed"),
         ("{}", "value_missing"),
         ("{L1", "parenthesis_not_closed"),
         ("{L1)", "value_missing"),
