@@ -17,6 +17,9 @@ from kinematics.errors import CellError, Fault, ParamValue
 from kinematics.expressions import Expression, Parameter, parameters_in
 from kinematics.table import ANGLES
 
+ZEROS = {"o", "zero", "cero", "nul", "nula", "nulle", "nulo", "null", "nil", "none"}
+"""What stands for zero in the languages of the pages, and the letter O."""
+
 
 def unknown_name(
     name: str,
@@ -35,7 +38,9 @@ def unknown_name(
     own = tuple(exercise.reference.parameters)
     known = (*own, *sorted(set(others) - set(own)))
     close = nearest_name(name, (*known, *exercise.aliases))
-    if close is None and moving and (index := misspelled_index(name)) is not None:
+    if close is None and name.lower() in ZEROS:
+        close = "0"
+    elif close is None and moving and (index := misspelled_index(name)) is not None:
         close = f"q{index}"
     if name.startswith("alpha") and where and where[-1] in ANGLES and _is_length(close, exercise):
         close = None  # no a is taken for the twist of a row

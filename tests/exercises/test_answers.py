@@ -262,6 +262,21 @@ def test_what_means_a_joint_variable_in_a_matrix_is_told_as_it(name: str, close:
     assert (fault.code, fault.params["close"]) == ("name_unknown", close)
 
 
+@pytest.mark.parametrize(
+    ("cell", "close"), [("O", "0"), ("o", "0"), ("zero", "0"), ("Cero", "0"), ("nul", "0"), ("x", "")]
+)
+def test_a_word_for_zero_is_told_as_zero(cell: str, close: str) -> None:
+    rows = ((0, "a2", cell, "q1"), (180, "a3", 0, "q2"), (0, 0, "q3", 0), (0, 0, 0, "q4"))
+    with pytest.raises(AnswerError) as error:
+        parse(generate(exercise("scara")), RawAnswer(table=table("standard", *rows)))
+    (fault,) = error.value.faults
+    assert (fault.code, fault.where, fault.params["close"]) == (
+        "name_unknown",
+        ("table", "rows", 0, "d"),
+        close,
+    )
+
+
 def test_a_name_in_a_radius_is_told_as_anywhere() -> None:
     with pytest.raises(AnswerError) as error:
         parse(
