@@ -61,7 +61,7 @@ def completed(
     reach = sum(abs(row.a) + abs(row.d) for row in bind(reference, values).rows) or 1.0
     joints = dict(_bodies(reference, frames, points, reach))
     joints.update(specification.joints)
-    chain = specification.links or (_chain(reference, joints),)
+    chain = specification.links or (_chain(reference, joints, points),)
     ground = specification.ground
     if ground is None and not specification.links:
         if _stands_on_base(reference, frames, reach):
@@ -92,12 +92,28 @@ def _feet(table: SymbolicTable) -> dict[str, Point]:
     }
 
 
-def _chain(table: SymbolicTable, joints: Mapping[int, JointMark]) -> tuple[str, ...]:
-    first, last = joints.get(1), joints.get(table.n_joints)
-    names = [first.at if first else "O0"]
-    for i in range(1, len(table.rows) + 1):
-        names += [f"foot{i}", f"O{i}"]
-    return tuple([*names, last.at] if last else names)
+def _chain(
+    table: SymbolicTable, joints: Mapping[int, JointMark], points: Mapping[str, Point]
+) -> tuple[str, ...]:
+    """Names of the points that the links run through: the body of the last joint stands between its links.
+
+    Where it was moved off the end of the link before it, the next link begins at the body.
+    """
+    last = table.n_joints
+    names = [joints[1].at if joints else "O0"]
+    axis = table.joint_rows[-1] + (table.convention is Convention.MODIFIED) if joints else None
+    for i in range(len(table.rows) + 1):
+        steps = [f"foot{i}", f"O{i}"] if i else []
+        if axis is not None and i == axis + 1 and _moved(joints[last], last, points):
+            steps.remove(f"foot{i}")
+        names += steps
+        if i == axis:
+            names.append(joints[last].at)
+    return tuple(names)
+
+
+def _moved(mark: JointMark, joint: int, points: Mapping[str, Point]) -> bool:
+    return mark.at == f"joint{joint}" and f"joint{joint}on" in points
 
 
 def _bodies(

@@ -3,6 +3,8 @@
 import math
 import re
 from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
@@ -24,7 +26,7 @@ from exercises.instance import Instance, generate
 from exercises.loader import load_exercise
 from exercises.parts.registry import part_type
 from kinematics.table import JointType
-from tests.exercises.folders import folder
+from tests.exercises.folders import TWO_LINKS, folder
 from tests.exercises.packaged import exercise, exercise_ids
 
 
@@ -224,13 +226,30 @@ def test_arrows_turn_by_the_right_hand_rule() -> None:
     assert area < 0  # y points down on paper
 
 
-def test_a_table_alone_gives_a_figure(tmp_path: object) -> None:
-    from pathlib import Path
-
-    assert isinstance(tmp_path, Path)
+def test_a_table_alone_gives_a_figure(tmp_path: Path) -> None:
     found = load_exercise(folder(tmp_path))
     root = root_of(generate(found))
     assert sorted(texts(root)) == ["1", "2", "L1", "L2"]
+
+
+def test_the_last_link_begins_at_the_last_body_alone(tmp_path: Path) -> None:
+    """A slider at zero and the joint on it stood apart, and a bar led from each to the end of the arm."""
+    rows = """
+  { joint = "revolute", theta = "q1", d = "L1", a = 0, alpha = -90 },
+  { joint = "prismatic", theta = 0, d = "q2", a = 0, alpha = 90 },
+  { joint = "revolute", theta = "q3", d = 0, a = "L2", alpha = 0 },
+]"""
+    text = re.sub(r"rows = \[(\n.*)*?\n\]", f"rows = [{rows}", TWO_LINKS, count=1)
+    scene = true_scene(generate(load_exercise(folder(tmp_path, text))))
+    (chain,) = scene.links
+    end = max(chain, key=lambda point: math.hypot(point[0], point[1]))
+    beside = {
+        tuple(np.round(other, 9))
+        for one, two in pairwise(chain)
+        for point, other in ((one, two), (two, one))
+        if point == end
+    }
+    assert beside == {tuple(np.round(scene.axes[2].point, 9))}
 
 
 @pytest.mark.parametrize("exercise_id", ALL)
