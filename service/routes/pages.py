@@ -15,7 +15,7 @@ from service.resources import resources_of
 from service.settings import Publishers
 from service.web.responses import missing_page, page_language, page_response
 from service.web.shell import Page
-from service.wire.exercises.exercise_views import instance_of, statement_html
+from service.wire.exercises.exercise_views import instance_of, language_note, statement_html
 from service.wire.exercises.figure_files import figure_path
 from service.work.limiters import WorkKind
 
@@ -81,7 +81,13 @@ async def exercise_page(request: ApiRequest) -> Response:
     query = urlencode({"lang": language, **kept})
 
     def work() -> tuple[dict[str, str], dict[str, str]]:
-        told = {"id": found.id, "title": found.title(language), "statement": statement_html(found, language)}
+        told = {
+            "id": found.id,
+            "title": found.title(language),
+            "statement": statement_html(found, language),
+            "text_language": found.text_language(language),
+            "note": language_note(found, language) or "",
+        }
         return told, {"figure": _figure(request, found, language, query)}
 
     question = ("page", found.id, query, context_of(request))

@@ -51,6 +51,15 @@ def arrived(page: Page, lms: Lms, user: str, link: str) -> None:
     wait_ready(page)
 
 
+def test_attempts_left_open_are_those_of_the_exercise(page: Page, lms: Lms, service: str) -> None:
+    """The field said ∞, also of an exercise that allows five."""
+    page.goto(f"{lms.root}/start?user=tina&hint={hint([TEACHER], resource='open', deep=True)}")
+    page.wait_for_url("**/lti/choose*")
+    wait_ready(page)
+    field = page.get_by_label("Attempts allowed")
+    expect(field).to_have_attribute("placeholder", "as the exercise says")
+
+
 def test_the_class_its_numbers_and_an_attempt(
     page: Page,
     browser: Browser,

@@ -378,6 +378,18 @@ def test_a_reader_is_told_the_language_of_a_text_by_its_name() -> None:
         def text_language(self, language: str) -> str:
             return "en"
 
-    note = exercise_views._language_note(cast("Exercise", InEnglish()), "fr")
+    note = exercise_views.language_note(cast("Exercise", InEnglish()), "fr")
     assert note is not None
     assert note.endswith("English.")
+
+
+def test_the_page_of_a_text_in_another_language_says_so(tmp_path: Path) -> None:
+    """It was said in the answer of the API alone, and the text was read aloud as in the page's language."""
+    (folder(tmp_path, name="crane") / "statement.uk.md").unlink()
+    with running(Settings(exercise_folders=(tmp_path,))) as url, httpx.Client(base_url=url) as own:
+        note = own.get("/api/v1/exercises/crane?lang=uk").json()["note"]
+        translated, other = (own.get(f"/exercises/crane?lang={code}").text for code in ("fr", "uk"))
+    assert note in other
+    assert 'id="statement" class="prose" lang="en"' in other
+    assert 'id="statement" class="prose" lang="fr"' in translated
+    assert "Langue du texte" not in translated

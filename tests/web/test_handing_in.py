@@ -5,7 +5,7 @@ import zipfile
 from collections.abc import Callable
 from pathlib import Path
 
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Page, Route, expect
 
 from tests.web.conftest import OpenPage, Watch
 from tests.web.driving import PUMA, SCARA, put_table, submit, wrong
@@ -114,6 +114,20 @@ def test_a_lecturers_link_switches_off_what_it_says(
     put_table(page, SCARA)
     page.locator("button[type=submit].primary").click()
     expect(page.locator("#answer")).to_contain_text("You have used all 2 attempts.")
+
+
+def test_a_links_attempts_left_open_are_those_of_the_exercise(open_page: OpenPage) -> None:
+    """The field said ∞, also of an exercise that allows five."""
+
+    def limited(route: Route) -> None:
+        told = route.fetch().json()
+        route.fulfill(json={**told, "access": {**told["access"], "attempts": 5}})
+
+    page = open_page(
+        "/exercises/scara", before=lambda page: page.route("**/api/v1/exercises/scara*", limited)
+    )
+    page.locator("#sharing summary").click()
+    expect(page.locator("#sharing").get_by_label("Attempts")).to_have_attribute("placeholder", "5")
 
 
 def test_matrices_wait_for_the_parts_that_ask_for_them(open_page: OpenPage) -> None:

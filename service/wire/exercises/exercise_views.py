@@ -61,7 +61,7 @@ def exercise_view(instance: Instance, language: str, context: LinkContext | None
         "seed": instance.seed,
         "language": language,
         "text_language": found.text_language(language),
-        "note": _language_note(found, language),
+        "note": language_note(found, language),
         "title": found.title(language),
         "statement": {"markdown": statement, "html": statement_html(found, language)},
         "rules": list(_rules_told(found, language)),
@@ -154,7 +154,7 @@ def free_dimensions(found: Exercise) -> tuple[str, ...]:
     return unneeded_dimensions(found)
 
 
-def _language_note(found: Exercise, language: str) -> str | None:
+def language_note(found: Exercise, language: str) -> str | None:
     """Return what a reader is told whose language the exercise is not written in."""
     written = found.text_language(language)
     if written == language:

@@ -20,7 +20,8 @@ export function sharingPanel({ api, exercise }) {
     { id: helpId },
     levels.map((value) => el("option", { value, selected: value === exercise.help, text: t(`form-help-${value}`) })),
   );
-  const attempts = el("input", { id: attemptsId, type: "number", min: 1, max: 1000, placeholder: "∞" });
+  const placeholder = String(exercise.access.attempts ?? "∞");
+  const attempts = el("input", { id: attemptsId, type: "number", min: 1, max: 1000, placeholder });
   const result = el("div", { role: "status" });
   const settings = () => ({
     off: tools.filter(({ input }) => !input.checked).map(({ tool }) => tool),

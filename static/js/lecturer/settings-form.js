@@ -108,7 +108,7 @@ export function settingsForm(exercises, settings, save, action) {
       },
       field("exercise", exercise),
       number("points", { min: 0.01, step: "any", max: 1000000, required: true }),
-      number("attempts", { min: 1, max: 1000, placeholder: "∞" }),
+      number("attempts", { min: 1, max: 1000, placeholder: t("lecturer-help-exercise") }),
       select("counting"),
       number("penalty", { min: 0, max: 1, step: 0.01 }),
       time("opens"),
