@@ -2,7 +2,7 @@
 
 platforms-title = Platforms
 platforms-come = Open this page with the address that this command prints:
-platforms-over = This address has been used already, or the session has ended. The command prints a new one.
+platforms-over = This address has been used already, or is older than ten minutes, or the session has ended. The command prints a new one.
 platforms-list = Registered platforms
 platforms-none = No platform is registered yet.
 platforms-platform = Platform

@@ -2,7 +2,7 @@
 
 platforms-title = Plataformas
 platforms-come = Abra esta página con la dirección que imprime este comando:
-platforms-over = Esta dirección ya se ha utilizado, o la sesión ha terminado. El comando imprime una nueva.
+platforms-over = Esta dirección ya se ha utilizado o tiene más de diez minutos, o la sesión ha terminado. El comando imprime una nueva.
 platforms-list = Plataformas registradas
 platforms-none = Todavía no hay ninguna plataforma registrada.
 platforms-platform = Plataforma

@@ -2,7 +2,7 @@
 
 platforms-title = Plateformes
 platforms-come = Ouvrez cette page avec l’adresse qu’affiche cette commande :
-platforms-over = Cette adresse a déjà servi, ou la session est terminée. La commande en affiche une nouvelle.
+platforms-over = Cette adresse a déjà servi ou date de plus de dix minutes, ou la session est terminée. La commande en affiche une nouvelle.
 platforms-list = Plateformes enregistrées
 platforms-none = Aucune plateforme n’est encore enregistrée.
 platforms-platform = Plateforme

@@ -2,7 +2,7 @@
 
 platforms-title = Plataformas
 platforms-come = Abra esta página com o endereço que este comando mostra:
-platforms-over = Este endereço já foi utilizado, ou a sessão terminou. O comando mostra um novo.
+platforms-over = Este endereço já foi utilizado ou tem mais de dez minutos, ou a sessão terminou. O comando mostra um novo.
 platforms-list = Plataformas registadas
 platforms-none = Ainda não há nenhuma plataforma registada.
 platforms-platform = Plataforma

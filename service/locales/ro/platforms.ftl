@@ -2,7 +2,7 @@
 
 platforms-title = Platforme
 platforms-come = Deschideți această pagină cu adresa pe care o afișează comanda:
-platforms-over = Această adresă a fost deja folosită sau sesiunea s-a încheiat. Comanda afișează alta.
+platforms-over = Această adresă a fost deja folosită sau este mai veche de zece minute, ori sesiunea s-a încheiat. Comanda afișează alta.
 platforms-list = Platforme înregistrate
 platforms-none = Încă nu este înregistrată nicio platformă.
 platforms-platform = Platformă

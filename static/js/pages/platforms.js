@@ -10,12 +10,19 @@ import { problemNotice } from "../problem.js";
 const $ = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
 const FIELDS = ["issuer", "client_id", "authorization_endpoint", "token_endpoint", "jwks_uri"];
 
+/** The code of the address that the command printed. */
+const codeOfAddress = () => new URLSearchParams(location.hash.slice(1)).get("code");
+
 async function run() {
-  const code = new URLSearchParams(location.hash.slice(1)).get("code");
-  if (!code) {
-    showTheWay();
-    return;
-  }
+  // An address that is opened where this page stands already loads nothing: only its fragment is another.
+  window.addEventListener("hashchange", () => void enter());
+  if (codeOfAddress()) await enter();
+  else showTheWay();
+}
+
+async function enter() {
+  const code = codeOfAddress();
+  if (!code) return;
   history.replaceState(null, "", location.pathname + location.search);
   await attempt(async () => {
     api.token = (await api.post("administration/open", { code })).token;
