@@ -6,6 +6,7 @@ import os
 import sys
 from collections.abc import Callable, Iterable
 from importlib.util import find_spec
+from pathlib import Path
 from typing import TypeAlias
 
 from pydantic import ValidationError
@@ -69,9 +70,9 @@ def require_what_is_named(settings: Settings) -> None:
         if (path := getattr(settings, name)) is not None and not path.is_file()
     ]
     missing += [
-        f"  {_PREFIX}EXERCISE_FOLDERS: there is no folder {folder}"
+        f"  {_PREFIX}EXERCISE_FOLDERS: {reason}"
         for folder in settings.exercise_folders
-        if not folder.is_dir()
+        if (reason := _unusable(folder))
     ]
     if settings.traces and not _can_send_traces():
         missing.append(f"  {_PREFIX}TRACES: this needs the extra telemetry: pip install framewise[telemetry]")
@@ -83,6 +84,17 @@ def require_what_is_named(settings: Settings) -> None:
         from service.receipts.keys import read_keys  # few installations have them
 
         read_keys(settings.receipt_keys)
+
+
+def _unusable(folder: Path) -> str | None:
+    """Return why no exercises are found in a folder, if it is plain."""
+    from exercises.definition_files import FILE  # commands that name no folder need none of it
+
+    if not folder.is_dir():
+        return f"there is no folder {folder}"
+    if (folder / FILE).is_file():
+        return f"{folder} is an exercise; the folder that holds it is needed: {folder.absolute().parent}"
+    return None
 
 
 def _can_send_traces() -> bool:

@@ -11,6 +11,7 @@ import pytest
 from service.__main__ import main
 from service.settings import Settings
 from tests.architecture.sources import ROOT
+from tests.exercises.folders import folder
 
 PAGE = ROOT / "docs" / "operations.md"
 BEGIN = "<!-- settings: written by tests/architecture/test_settings.py --update -->\n"
@@ -123,6 +124,19 @@ def test_settings_with_which_the_service_would_not_start_are_told_by_their_check
     monkeypatch.setenv("FRAMEWISE_API_KEYS", "/none/keys.json")
     with pytest.raises(SystemExit, match="FRAMEWISE_API_KEYS: there is no file /none/keys"):
         main(["config"])
+
+
+def test_an_exercise_that_is_named_instead_of_its_folder_is_told(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """The service started without it, and without a word."""
+    monkeypatch.setenv("FRAMEWISE_EXERCISE_FOLDERS", str(folder(tmp_path, name="crane")))
+    with pytest.raises(SystemExit) as caught:
+        main(["config"])
+    wanted = (
+        f"FRAMEWISE_EXERCISE_FOLDERS: {tmp_path}/crane is an exercise; the folder that holds it is needed"
+    )
+    assert f"{wanted}: {tmp_path}" in str(caught.value)
 
 
 def test_a_receipt_key_file_that_is_none_is_told_by_the_check(

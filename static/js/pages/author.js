@@ -76,6 +76,15 @@ class AuthorPage {
     if (this.store.draft) this.start.resume();
     else this.start.show("robot");
     this.store.addEventListener("draft", () => forgetFragment("draft"));
+    window.addEventListener("hashchange", () => void this.#follow());
+  }
+
+  /** Another draft's address that is opened where this page stands loads nothing: only its fragment is another. */
+  async #follow() {
+    const work = await workIn(location.hash);
+    if (!work?.draft) return;
+    this.store.load(work.draft, work.source);
+    this.start.resume();
   }
 
   /** @param {boolean} whole */
