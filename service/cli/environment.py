@@ -88,7 +88,7 @@ def require_what_is_named(settings: Settings) -> None:
 
 def _unusable(folder: Path) -> str | None:
     """Return why no exercises are found in a folder, if it is plain."""
-    from exercises.definition_files import FILE  # commands that name no folder need none of it
+    from exercises.consistency import FILE  # commands that name no folder need none of it
 
     if not folder.is_dir():
         return f"there is no folder {folder}"
