@@ -6,8 +6,10 @@ somebody else.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from decimal import Decimal
 from fractions import Fraction
 
 from kinematics.caching import cached_by_size
@@ -21,11 +23,13 @@ from kinematics.cells.tables import RawRow
 from kinematics.cells.units import AngleUnit, ParameterKind
 from kinematics.cells.variables import Use, refuse_misspelled, refuse_numberless, uses
 from kinematics.errors import Fault, ParamValue
-from kinematics.expressions import ZERO, Expression
+from kinematics.expressions import ZERO, Expression, evaluate, parameters_in
 from kinematics.table import CELLS, VARIABLE_CELLS, DHRow, JointType, SymbolicRow
 
 POSITIONS = {"alpha": Position.ANGLE, "a": Position.LENGTH, "d": Position.LENGTH, "theta": Position.ANGLE}
 CACHED_ROWS = 4096  # Rows in the cache, as read: those of some 600 tables of six or seven joints.
+_ONE_NUMBER = re.compile(r"[\s()+=−–-]*((?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)[\s()°]*")
+_LARGEST_EXPONENT = 100
 USUAL_ROW = 80  # Length of the cells of a row [character] up to which so many are cached.
 
 
@@ -52,16 +56,19 @@ class RowMeaning:
         row: its exact entries; 0 where a cell cannot be read.
         kinds: cell, name and kind of every parameter, in the order in which they stand.
         faults: why cells cannot be read; their place is the cell.
+        last_places: units of the last place [rad or length] of cells that are one number with zeros at its
+            end.
     """
 
     row: SymbolicRow
     kinds: tuple[tuple[str, str, ParameterKind], ...]
     faults: Mapping[str, Fault]
+    last_places: Mapping[str, float]
 
 
 def _length(row: RawRow) -> int:
     """The characters of a row's cells; a number counts as none."""
-    return sum(len(cell) for cell in (row.alpha, row.a, row.d, row.theta) if isinstance(cell, str))
+    return sum([len(cell) for cell in (row.alpha, row.a, row.d, row.theta) if isinstance(cell, str)])
 
 
 @cached_by_size(lambda row, limits: _length(row), longest=USUAL_ROW, most=CACHED_ROWS, few=64)
@@ -113,7 +120,27 @@ def row_meaning(row: RawRow, joint: RowJoint, angle_unit: AngleUnit, limits: Lim
             continue
         entries[cell] = meaning.expression
         kinds.extend((cell, name, kind) for name, kind in meaning.kinds.items())
-    return RowMeaning(row=DHRow(joint=joint.joint, sign=sign, **entries), kinds=tuple(kinds), faults=faults)
+    meant: SymbolicRow = DHRow(joint=joint.joint, sign=sign, **entries)
+    places = dict(_last_places(row, meant))
+    return RowMeaning(row=meant, kinds=tuple(kinds), faults=faults, last_places=places)
+
+
+def _last_places(typed: RawRow, row: SymbolicRow) -> Iterator[tuple[str, float]]:
+    """Yield units of the last place [rad or length] of cells that are one number with zeros at its end."""
+    for cell in CELLS:
+        text = getattr(typed, cell)
+        if not isinstance(text, str) or "0" not in text:
+            continue
+        entry = getattr(row, cell)
+        if entry == ZERO or parameters_in(entry):
+            continue
+        match = _ONE_NUMBER.fullmatch(text)
+        if match is None or not match[1].endswith("0"):
+            continue
+        number = Decimal(match[1])
+        exponent = number.as_tuple().exponent
+        if number and abs(number.adjusted()) < _LARGEST_EXPONENT and isinstance(exponent, int):
+            yield cell, abs(evaluate(entry)) / float(number) * 10.0**exponent
 
 
 def _sign(joint: RowJoint, cell: str, trees: Mapping[str, Node]) -> int:

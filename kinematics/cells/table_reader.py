@@ -1,8 +1,6 @@
 """From a DH table as handed in to exact entries."""
 
-import re
-from collections.abc import Iterator, Sequence
-from decimal import Decimal
+from collections.abc import Sequence
 from types import MappingProxyType
 
 from kinematics.caching import USUAL_TABLE, cached_by_size
@@ -11,11 +9,10 @@ from kinematics.cells.joints import row_joints, variable_names
 from kinematics.cells.limits import DEFAULT, Limits
 from kinematics.cells.refusals import CellRefusal
 from kinematics.cells.rows import RowMeaning, row_meaning, row_syntax
-from kinematics.cells.tables import RawRow, RawTable, ReadTable
+from kinematics.cells.tables import RawTable, ReadTable
 from kinematics.cells.units import ParameterKind
 from kinematics.errors import CellError, Fault, TableError
-from kinematics.expressions import ZERO, evaluate, parameters_in
-from kinematics.table import CELLS, DHTable, SymbolicRow
+from kinematics.table import CELLS, DHTable
 
 
 def read_table(raw: RawTable, limits: Limits = DEFAULT, *, by_row: bool = True) -> ReadTable:
@@ -59,7 +56,9 @@ def _read(raw: RawTable, limits: Limits, by_row: bool) -> ReadTable:
         parameters=MappingProxyType(kinds),
         places=MappingProxyType(places),
         variables=variable_names(joints, trees, kinds),
-        last_places=MappingProxyType(dict(last_places(raw.rows, [row.row for row in rows]))),
+        last_places=MappingProxyType(
+            {(i, cell): place for i, row in enumerate(rows) for cell, place in row.last_places.items()}
+        ),
     )
 
 
@@ -97,27 +96,3 @@ def _refuse_size(raw: RawTable, limits: Limits) -> None:
 def _reading_order(place: tuple[int, str]) -> tuple[int, int]:
     row, cell = place
     return row, CELLS.index(cell)
-
-
-_ONE_NUMBER = re.compile(r"[\s()+=−–-]*((?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)[\s()°]*")
-_LARGEST_EXPONENT = 100
-Place = tuple[int, str]
-
-
-def last_places(raw: Sequence[RawRow], rows: Sequence[SymbolicRow]) -> Iterator[tuple[Place, float]]:
-    """Yield units of the last place [rad or length] of cells that are one number with zeros at its end."""
-    for i, (typed, row) in enumerate(zip(raw, rows, strict=True)):
-        for cell in CELLS:
-            text = getattr(typed, cell)
-            if not isinstance(text, str) or "0" not in text:
-                continue
-            entry = getattr(row, cell)
-            if entry == ZERO or parameters_in(entry):
-                continue
-            match = _ONE_NUMBER.fullmatch(text)
-            if match is None or not match[1].endswith("0"):
-                continue
-            number = Decimal(match[1])
-            exponent = number.as_tuple().exponent
-            if number and abs(number.adjusted()) < _LARGEST_EXPONENT and isinstance(exponent, int):
-                yield (i, cell), abs(evaluate(entry)) / float(number) * 10.0**exponent
