@@ -7,35 +7,29 @@
  */
 
 import { keep, recall } from "../storage.js";
+import { UndoHistory } from "../undo.js";
 
 const KEPT = "author";
-const MOST_STEPS = 200;
 /** Compressed, a draft has some three thousand characters; what is far longer is no draft. */
 const LONGEST_LINK = 200_000;
 
 export class DraftStore extends EventTarget {
-  /** @type {Work} */
-  #work = { draft: null, source: null };
-  /** @type {{work: Work, tag: string}[]} */
-  #past = [];
-  /** @type {Work[]} */
-  #future = [];
-  #tag = "";
+  #history = new UndoHistory(/** @type {Work} */ ({ draft: null, source: null }));
 
   get draft() {
-    return this.#work.draft;
+    return this.#history.state.draft;
   }
 
   get source() {
-    return this.#work.source;
+    return this.#history.state.source;
   }
 
   get canUndo() {
-    return this.#past.length > 0;
+    return this.#history.canUndo;
   }
 
   get canRedo() {
-    return this.#future.length > 0;
+    return this.#history.canRedo;
   }
 
   /** What stands at a place of the draft. @param {Path} path @returns {any} */
@@ -46,51 +40,37 @@ export class DraftStore extends EventTarget {
   /** Puts a value at a place; undefined takes it away. Typing in one field is one step. @param {Path} path @param {unknown} value */
   set(path, value) {
     if (!this.draft || JSON.stringify(this.at(path)) === JSON.stringify(value)) return;
-    this.#step({ ...this.#work, draft: put(this.draft, path, value) }, path.join("/"), false);
+    this.#history.change({ draft: put(this.draft, path, value), source: this.source }, path.join("/"));
+    this.#tell(false);
   }
 
   /** Takes a whole draft, or another robot for it. @param {Draft} draft @param {any} source @param {string} [tag] */
   load(draft, source, tag = "") {
-    this.#step({ draft, source }, tag, true);
+    this.#history.change({ draft, source }, tag);
+    this.#tell(true);
   }
 
   undo() {
-    const last = this.#past.pop();
-    if (!last) return;
-    this.#future.push(this.#work);
-    this.#become(last.work, true);
+    if (this.#history.undo()) this.#tell(true);
   }
 
   redo() {
-    const next = this.#future.pop();
-    if (!next) return;
-    this.#past.push({ work: this.#work, tag: "" });
-    this.#become(next, true);
+    if (this.#history.redo()) this.#tell(true);
   }
 
   /** What was here last. */
   restore() {
     const work = workOf(recall(KEPT, null));
-    if (work) this.#become(work, true);
+    if (work) {
+      this.#history = new UndoHistory(work);
+      this.#tell(true);
+    }
     return Boolean(work);
   }
 
-  /** @param {Work} work @param {string} tag @param {boolean} whole */
-  #step(work, tag, whole) {
-    if (!tag || tag !== this.#tag) {
-      this.#past.push({ work: this.#work, tag });
-      if (this.#past.length > MOST_STEPS) this.#past.shift();
-    }
-    this.#future = [];
-    this.#become(work, whole);
-    this.#tag = tag;
-  }
-
-  /** @param {Work} work @param {boolean} whole whether fields have to be filled anew */
-  #become(work, whole) {
-    this.#work = work;
-    this.#tag = "";
-    keep(KEPT, work);
+  /** @param {boolean} whole whether fields have to be filled anew */
+  #tell(whole) {
+    keep(KEPT, this.#history.state);
     this.dispatchEvent(new CustomEvent("draft", { detail: { whole } }));
   }
 }

@@ -9,6 +9,7 @@
 
 import { announce, el, fill, uniqueId } from "../dom.js";
 import { language, t } from "../i18n.js";
+import { UndoHistory } from "../undo.js";
 import { Bar, editorFoot, symbolBar } from "./bar.js";
 import { convertedAngles, convertedLengths, doubtfulAngle, holdsNumbers } from "./convert.js";
 import { isTable } from "./cut.js";
@@ -19,7 +20,6 @@ import {
   COLUMNS,
   emptyCells,
   fromWire,
-  History,
   insertRow,
   isBareVariable,
   moveRow,
@@ -37,7 +37,7 @@ import { isCode } from "./toolbox-code.js";
 /** @typedef {import("./model.js").Table} Table */
 
 export class DhTableEditor extends HTMLElement {
-  #history = new History(newTable("modified", 1));
+  #history = new UndoHistory(newTable("modified", 1));
   #grid = /** @type {Grid} */ (/** @type {unknown} */ (null));
   #bar = /** @type {Bar} */ (/** @type {unknown} */ (null));
   #faults = /** @type {Faults} */ (/** @type {unknown} */ (null));
@@ -83,7 +83,7 @@ export class DhTableEditor extends HTMLElement {
   }
 
   get #table() {
-    return this.#history.table;
+    return this.#history.state;
   }
 
   /** The table as it goes to the API. */
@@ -112,7 +112,7 @@ export class DhTableEditor extends HTMLElement {
 
   set state(state) {
     const rows = state.rows.map((row) => ({ ...row, key: newRow(0, "fixed").key }));
-    this.#history = new History({ ...state, rows });
+    this.#history = new UndoHistory({ ...state, rows });
     if (!this.#grid) return;
     this.#faults.clear();
     this.#say("");
@@ -127,7 +127,7 @@ export class DhTableEditor extends HTMLElement {
   set allowed(allowed) {
     this.#allowed = allowed;
     if (!allowed.includes(this.#table.convention))
-      this.#history = new History({ ...this.#table, convention: allowed[0] });
+      this.#history = new UndoHistory({ ...this.#table, convention: allowed[0] });
     if (this.#grid) this.#show();
   }
 
@@ -310,7 +310,7 @@ export class DhTableEditor extends HTMLElement {
   }
 
   #showUndo() {
-    this.#bar.enable(this.#history.past.length > 0, this.#history.future.length > 0);
+    this.#bar.enable(this.#history.canUndo, this.#history.canRedo);
   }
 
   /** @param {number} at */

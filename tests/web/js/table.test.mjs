@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import * as convert from "../../../static/js/editor/convert.js";
 import * as model from "../../../static/js/editor/model.js";
+import { UndoHistory } from "../../../static/js/undo.js";
 import { convertedValues } from "../../../static/js/units.js";
 
 const texts = (table, cell) => table.rows.map((row) => row[cell]);
@@ -141,16 +142,16 @@ test("an angle that is usual in the other unit is doubted, whatever sum it is in
 
 test("undo and redo step over runs of typing", () => {
   const start = model.newTable("modified", 1);
-  const history = new model.History(start);
-  history.change(model.setCell(history.table, 0, "a", "L"), "0/a");
-  history.change(model.setCell(history.table, 0, "a", "L1"), "0/a");
-  history.change(model.setCell(history.table, 0, "d", "5"), "0/d");
+  const history = new UndoHistory(start);
+  history.change(model.setCell(history.state, 0, "a", "L"), "0/a");
+  history.change(model.setCell(history.state, 0, "a", "L1"), "0/a");
+  history.change(model.setCell(history.state, 0, "d", "5"), "0/d");
   assert.ok(history.undo());
-  assert.deepEqual([history.table.rows[0].a, history.table.rows[0].d], ["L1", ""]);
+  assert.deepEqual([history.state.rows[0].a, history.state.rows[0].d], ["L1", ""]);
   assert.ok(history.undo());
-  assert.equal(history.table, start);
+  assert.equal(history.state, start);
   assert.ok(!history.undo());
   assert.ok(history.redo() && history.redo());
-  assert.equal(history.table.rows[0].d, "5");
+  assert.equal(history.state.rows[0].d, "5");
   assert.ok(!history.redo());
 });
