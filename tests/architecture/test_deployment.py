@@ -147,6 +147,23 @@ def test_the_compose_file_fits_together() -> None:
     assert services["replica-1"] == services["replica-2"]
 
 
+def test_the_settings_of_an_operator_reach_the_container() -> None:
+    """What stood in the environment and in .env did not, and no page said where else to write it."""
+    services = COMPOSE["services"]
+    alone = services["framewise"]["environment"]
+    assert alone["FRAMEWISE_SECRET"] is None  # passed on if it is set; without one the service starts, too
+    page = (ROOT / "docs" / "operations.md").read_text(encoding="utf-8")
+    (example,) = re.findall(r"^```yaml compose\n(.*?)^```$", page, re.DOTALL | re.MULTILINE)
+    override = yaml.safe_load(example)["services"]
+    assert set(override) <= set(services)
+    named = override["framewise"]["environment"]
+    settings = {name.removeprefix("FRAMEWISE_").lower(): value for name, value in named.items()}
+    assert set(settings) <= set(Settings.model_fields)
+    Settings.model_validate(settings)
+    mounted = [volume.split(":")[1] for volume in override["framewise"]["volumes"]]
+    assert mounted == [named["FRAMEWISE_EXERCISE_FOLDERS"]]
+
+
 def test_the_proxy_of_the_compose_file_is_one_that_nginx_takes(tmp_path: Path) -> None:
     nginx = shutil.which("nginx") or "/usr/sbin/nginx"
     if not Path(nginx).exists():
