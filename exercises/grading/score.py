@@ -85,7 +85,7 @@ def _share_left(off: float, nothing: float) -> float:
     return round(min(max(1.0 - off / nothing, 0.0), HIGHEST_PARTIAL), DECIMALS)
 
 
-def marks_to_earn(key: NumericTable, policy: Policy, weights: Weights) -> float:
+def weight_to_earn(key: NumericTable, policy: Policy, weights: Weights) -> float:
     """Return the weight of what a table of zeros has wrong; without any, no wrong answer earns anything."""
     return standard_of(prepared(key), policy, weights).nothing
 

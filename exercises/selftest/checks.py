@@ -15,7 +15,7 @@ from exercises.drawings import figure_drawing, true_scene
 from exercises.draws import is_alike
 from exercises.errors import DefinitionError
 from exercises.grading import HelpLevel, Verdict
-from exercises.grading.score import marks_to_earn
+from exercises.grading.score import weight_to_earn
 from exercises.instance import Instance, generate
 from exercises.needs import unneeded_dimensions
 from exercises.parts.protocol import TABLE
@@ -95,7 +95,7 @@ def _check_earnings(findings: Findings, exercise: Exercise) -> None:
     key = bind(exercise.reference.table, generate(exercise).values)
     if not key.n_joints:
         findings.warn("no_joints")
-    elif not marks_to_earn(key, exercise.policy, exercise.weights):
+    elif not weight_to_earn(key, exercise.policy, exercise.weights):
         findings.warn("nothing_earned")
 
 

@@ -12,7 +12,7 @@ from pathlib import Path
 from exercises.errors import UnknownExerciseError
 from exercises.library import Library
 from kinematics.errors import Fault
-from service.adapters.gradebook import Mark
+from service.adapters.gradebook import GradebookEntry
 from service.adapters.hand_ins import HandIn
 from service.adapters.judging import JudgedAnswer, exercise_named, judge, told_fault, with_joint_types
 
@@ -53,8 +53,10 @@ def require_exercise(name: str, folders: tuple[Path, ...]) -> None:
     library.exercise(exercise_named(name, library) or name)
 
 
-def grade_class(found: Iterable[HandIn], settings: ClassSettings, jobs: int | None = None) -> Iterator[Mark]:
-    """Yield the mark of every hand-in, in their order.
+def grade_class(
+    found: Iterable[HandIn], settings: ClassSettings, jobs: int | None
+) -> Iterator[GradebookEntry]:
+    """Yield the entry of every hand-in, in their order.
 
     All cores are used, if the number of jobs is left out; for 1 this process alone.
     """
@@ -77,15 +79,15 @@ def grade_class(found: Iterable[HandIn], settings: ClassSettings, jobs: int | No
                 chunk.send(pool, settings)
                 chunk = _Chunk()
             if overdue:
-                yield _marked(*waiting.popleft())
+                yield _entry_of(*waiting.popleft())
         chunk.send(pool, settings)
         while waiting:
-            yield _marked(*waiting.popleft())
+            yield _entry_of(*waiting.popleft())
 
 
-def misconceptions(marks: Iterable[Mark]) -> Counter[str]:
+def misconceptions(entries: Iterable[GradebookEntry]) -> Counter[str]:
     """Count what was found, over all wrong answers."""
-    return Counter(code for mark in marks if not mark.correct for code in mark.codes)
+    return Counter(code for entry in entries if not entry.correct for code in entry.codes)
 
 
 class _Chunk:
@@ -93,7 +95,7 @@ class _Chunk:
 
     def __init__(self) -> None:
         self._hand_ins: list[HandIn] = []
-        self._marks: Future[list[Mark]] = Future()
+        self._entries: Future[list[GradebookEntry]] = Future()
 
     def add(self, hand_in: HandIn) -> int:
         """Take in a table, and return its place."""
@@ -106,12 +108,12 @@ class _Chunk:
 
     def send(self, pool: Executor, settings: ClassSettings) -> None:
         """Have the tables graded."""
-        self._marks = pool.submit(_graded, self._hand_ins, settings)
+        self._entries = pool.submit(_graded, self._hand_ins, settings)
         self._hand_ins = []
 
-    def mark(self, place: int) -> Mark:
-        """Return the mark of the table at a place, once there is one."""
-        return self._marks.result()[place]
+    def entry(self, place: int) -> GradebookEntry:
+        """Return the entry of the table at a place, once there is one."""
+        return self._entries.result()[place]
 
 
 class _ThisProcess(Executor):
@@ -124,16 +126,16 @@ class _ThisProcess(Executor):
 
 
 def _meaning(hand_in: HandIn, settings: ClassSettings) -> bytes:
-    """Return all that a mark depends on: two students with the same of it get the same mark."""
+    """Return all that an entry depends on: two students with the same of it get the same entry."""
     found = hand_in.found
     asked = (found.exercise, found.table) if found else hand_in.faults
     told = repr((asked, hand_in.student if settings.per_student else None))
     return blake2b(told.encode("utf-8", "surrogatepass")).digest()
 
 
-def _marked(hand_in: HandIn, chunk: _Chunk, place: int) -> Mark:
+def _entry_of(hand_in: HandIn, chunk: _Chunk, place: int) -> GradebookEntry:
     return replace(
-        chunk.mark(place), student=hand_in.student, source=hand_in.source, identifier=hand_in.identifier
+        chunk.entry(place), student=hand_in.student, source=hand_in.source, identifier=hand_in.identifier
     )
 
 
@@ -143,11 +145,11 @@ def _library(folders: tuple[Path, ...]) -> Library:
     return Library(folders)
 
 
-def _graded(chunk: list[HandIn], settings: ClassSettings) -> list[Mark]:
-    return [_mark(hand_in, settings) for hand_in in chunk]
+def _graded(chunk: list[HandIn], settings: ClassSettings) -> list[GradebookEntry]:
+    return [_entry(hand_in, settings) for hand_in in chunk]
 
 
-def _mark(hand_in: HandIn, settings: ClassSettings) -> Mark:
+def _entry(hand_in: HandIn, settings: ClassSettings) -> GradebookEntry:
     if hand_in.found is None:
         return _ungraded(hand_in, settings.exercise or "", hand_in.faults, settings)
     named = settings.exercise or hand_in.found.exercise
@@ -167,7 +169,7 @@ def _mark(hand_in: HandIn, settings: ClassSettings) -> Mark:
         return _ungraded(hand_in, named, error.faults, settings)
     if not isinstance(judged, JudgedAnswer):
         return _ungraded(hand_in, exercise_id, judged.faults, settings)
-    return Mark(
+    return GradebookEntry(
         student=hand_in.student,
         exercise=exercise_id,
         points=judged.points,
@@ -179,8 +181,10 @@ def _mark(hand_in: HandIn, settings: ClassSettings) -> Mark:
     )
 
 
-def _ungraded(hand_in: HandIn, exercise_id: str, faults: tuple[Fault, ...], settings: ClassSettings) -> Mark:
-    return Mark(
+def _ungraded(
+    hand_in: HandIn, exercise_id: str, faults: tuple[Fault, ...], settings: ClassSettings
+) -> GradebookEntry:
+    return GradebookEntry(
         student=hand_in.student,
         exercise=exercise_id,
         codes=tuple(fault.code for fault in faults),

@@ -1,4 +1,4 @@
-"""Marks as the gradebooks of Moodle and Canvas import them, and as a plain CSV file."""
+"""What students earned, as the gradebooks of Moodle and Canvas import them, and as a plain CSV file."""
 
 import csv
 import re
@@ -24,7 +24,7 @@ class GradebookFormat(StrEnum):
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Mark:
+class GradebookEntry:
     """What one student earned.
 
     Attributes:
@@ -53,28 +53,28 @@ class Mark:
         return None if self.points is None or not self.max_points else self.points / self.max_points
 
 
-def write_marks(marks: Iterable[Mark], stream: TextIO, form: GradebookFormat = GradebookFormat.CSV) -> None:
-    """Write marks as they come; cells that a spreadsheet would take for a formula are written as text."""
+def write_gradebook(entries: Iterable[GradebookEntry], stream: TextIO, form: GradebookFormat) -> None:
+    """Write entries as they come; cells that a spreadsheet would take for a formula are written as text."""
     writer = csv.writer(stream, lineterminator="\n")
     match form:
         case GradebookFormat.CSV:
             writer.writerow(_PLAIN)
-            writer.writerows(map(_plain_row, marks))
+            writer.writerows(map(_plain_row, entries))
         case GradebookFormat.MOODLE:
             # Site administration calls the columns what it likes; these are the grade import's own names.
             writer.writerow(("Identifier", "Full name", "Grade", "Maximum Grade", "Feedback comments"))
-            for mark in _of_students(marks):
+            for entry in _of_students(entries):
                 writer.writerow(
-                    (safe(mark.identifier or mark.student), safe(mark.student), _number(mark.points),
-                     _number(mark.max_points), safe(mark.feedback))
+                    (safe(entry.identifier or entry.student), safe(entry.student), _number(entry.points),
+                     _number(entry.max_points), safe(entry.feedback))
                 )  # fmt: skip
         case GradebookFormat.CANVAS:
-            _write_canvas(_of_students(marks), writer)
+            _write_canvas(_of_students(entries), writer)
 
 
-def _of_students(marks: Iterable[Mark]) -> Iterator[Mark]:
+def _of_students(entries: Iterable[GradebookEntry]) -> Iterator[GradebookEntry]:
     """Leave out what belongs to nobody, such as a forged receipt: a gradebook has no line for it."""
-    return (mark for mark in marks if mark.student and mark.exercise)
+    return (entry for entry in entries if entry.student and entry.exercise)
 
 
 def safe(text: str) -> str:
@@ -82,34 +82,34 @@ def safe(text: str) -> str:
     return _FORMULA.sub("'", text)
 
 
-def _write_canvas(marks: Iterable[Mark], writer: "csv._writer") -> None:  # type: ignore[name-defined]
+def _write_canvas(entries: Iterable[GradebookEntry], writer: "csv._writer") -> None:  # type: ignore[name-defined]
     """Canvas wants one column for an assignment and a second row with what it is worth."""
-    marks = list(marks)
+    entries = list(entries)
     exercises: dict[str, float | None] = {}
-    for mark in marks:
-        worth = exercises.get(mark.exercise)
-        exercises[mark.exercise] = mark.max_points if worth is None else worth
+    for entry in entries:
+        worth = exercises.get(entry.exercise)
+        exercises[entry.exercise] = entry.max_points if worth is None else worth
     writer.writerow(("Student", "ID", "SIS Login ID", "Section", *exercises))
     writer.writerow(("    Points Possible", "", "", "", *map(_number, exercises.values())))
     students: dict[tuple[str, str], dict[str, float | None]] = {}
-    for mark in marks:
-        students.setdefault((mark.student, mark.identifier or ""), {})[mark.exercise] = mark.points
+    for entry in entries:
+        students.setdefault((entry.student, entry.identifier or ""), {})[entry.exercise] = entry.points
     for (student, identifier), points in students.items():
         given = (_number(points.get(name)) for name in exercises)
         writer.writerow((safe(student), safe(identifier), "" if identifier else safe(student), "", *given))
 
 
-def _plain_row(mark: Mark) -> tuple[str, ...]:
+def _plain_row(entry: GradebookEntry) -> tuple[str, ...]:
     return (
-        safe(mark.student),
-        safe(mark.exercise),
-        "" if mark.points is None else str(mark.correct).lower(),
-        _number(mark.points),
-        _number(mark.max_points),
-        _number(mark.score),
-        " ".join(mark.codes),
-        safe(mark.feedback),
-        safe(mark.source),
+        safe(entry.student),
+        safe(entry.exercise),
+        "" if entry.points is None else str(entry.correct).lower(),
+        _number(entry.points),
+        _number(entry.max_points),
+        _number(entry.score),
+        " ".join(entry.codes),
+        safe(entry.feedback),
+        safe(entry.source),
     )
 
 

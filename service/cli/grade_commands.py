@@ -13,7 +13,7 @@ from kinematics.cells import AngleUnit, LengthUnit
 from kinematics.errors import Fault
 from kinematics.table import Convention
 from service.adapters.class_grading import ClassSettings, grade_class, misconceptions, require_exercise
-from service.adapters.gradebook import GradebookFormat, Mark, write_marks
+from service.adapters.gradebook import GradebookEntry, GradebookFormat, write_gradebook
 from service.adapters.hand_ins import count_files, hand_ins, left_out
 from service.adapters.hosts import HOSTS
 from service.adapters.hosts.assignment import Assignment
@@ -92,38 +92,38 @@ def _grade(options: argparse.Namespace) -> None:
 
 
 class _Counted:
-    """Marks that are counted as they pass, so that no class has to fit into memory."""
+    """Entries that are counted as they pass, so that no class has to fit into memory."""
 
-    def __init__(self, marks: Iterable[Mark]) -> None:
-        self._marks = marks
+    def __init__(self, entries: Iterable[GradebookEntry]) -> None:
+        self._entries = entries
         self.right = self.wrong = self.ungraded = 0
         self.found = misconceptions(())
 
-    def __iter__(self) -> Iterator[Mark]:
-        for mark in self._marks:
-            self.right += mark.correct
-            self.ungraded += mark.points is None
-            self.wrong += mark.points is not None and not mark.correct
-            self.found.update(misconceptions((mark,)))
-            yield mark
+    def __iter__(self) -> Iterator[GradebookEntry]:
+        for entry in self._entries:
+            self.right += entry.correct
+            self.ungraded += entry.points is None
+            self.wrong += entry.points is not None and not entry.correct
+            self.found.update(misconceptions((entry,)))
+            yield entry
 
 
-def _write(marks: Iterable[Mark], stream: TextIO, form: str) -> None:
+def _write(entries: Iterable[GradebookEntry], stream: TextIO, form: str) -> None:
     if form == _JSON:
-        for mark in marks:
-            stream.write(json.dumps(asdict(mark), ensure_ascii=False) + "\n")
+        for entry in entries:
+            stream.write(json.dumps(asdict(entry), ensure_ascii=False) + "\n")
     else:
-        write_marks(marks, stream, GradebookFormat(form))
+        write_gradebook(entries, stream, GradebookFormat(form))
 
 
-def _with_progress(marks: Iterable[Mark], files: int) -> Iterator[Mark]:
+def _with_progress(entries: Iterable[GradebookEntry], files: int) -> Iterator[GradebookEntry]:
     """Show on a terminal how many files are done."""
     shown = sys.stderr.isatty()
     done: set[str] = set()
-    for mark in marks:
-        yield mark
+    for entry in entries:
+        yield entry
         if shown:
-            done.add(mark.source)
+            done.add(entry.source)
             filled = _BAR * len(done) // max(files, 1)
             sys.stderr.write(f"\r[{'#' * filled}{'.' * (_BAR - filled)}] {len(done)}/{files}")
             sys.stderr.flush()

@@ -5,11 +5,11 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from service.adapters.gradebook import GradebookFormat, write_marks
+from service.adapters.gradebook import GradebookFormat, write_gradebook
 from service.adapters.judging import told_fault
 from service.cli.environment import Subparsers, settings_of_environment
 from service.cli.whole_files import replacing
-from service.receipts.checking import check_receipts, marks_of, receipts_in
+from service.receipts.checking import check_receipts, entries_of, receipts_in
 from service.receipts.keys import receipt_keys, rotate
 
 _FORGED = 1
@@ -54,10 +54,10 @@ def _verify(options: argparse.Namespace) -> int:
                     f"{said.time.isoformat()}{copy}\n"
                 )
     elif str(options.csv) == "-":
-        write_marks(marks_of(checked), sys.stdout, GradebookFormat(options.format))
+        write_gradebook(entries_of(checked), sys.stdout, GradebookFormat(options.format))
     else:
         with replacing(options.csv) as stream:
-            write_marks(marks_of(checked), stream, GradebookFormat(options.format))
+            write_gradebook(entries_of(checked), stream, GradebookFormat(options.format))
     return _FORGED if any(entry.receipt is None for entry in checked) else 0
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from kinematics.errors import Fault
-from service.adapters.gradebook import Mark
+from service.adapters.gradebook import GradebookEntry
 from service.http.problems import RequestError
 from service.receipts.keys import ReceiptKeys
 from service.receipts.receipt import Receipt, verify
@@ -48,15 +48,15 @@ def check_receipts(texts: Sequence[str], keys: ReceiptKeys) -> list[CheckedRecei
     ]
 
 
-def marks_of(checked: Iterable[CheckedReceipt]) -> Iterator[Mark]:
-    """Yield a mark for each receipt; one that is not ours has no points."""
+def entries_of(checked: Iterable[CheckedReceipt]) -> Iterator[GradebookEntry]:
+    """Yield an entry for each receipt; one that is not ours has no points."""
     for entry in checked:
         receipt = entry.receipt
         if receipt is None:
             assert entry.fault is not None
-            yield Mark(student="", exercise="", codes=(entry.fault.code,), source=entry.text[:40])
+            yield GradebookEntry(student="", exercise="", codes=(entry.fault.code,), source=entry.text[:40])
         else:
-            yield Mark(
+            yield GradebookEntry(
                 student=receipt.name,
                 exercise=receipt.exercise,
                 points=receipt.points,

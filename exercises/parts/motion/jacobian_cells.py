@@ -89,8 +89,8 @@ class JacobianTerms(Part):
 
 
 @dataclass(frozen=True, slots=True)
-class JacobianMark:
-    """Marks for a matrix or for forces: their share, 0 … 1, what is wrong, and what is said of it."""
+class JacobianScore:
+    """What a matrix or forces earn: their share, 0 … 1, what is wrong, and what is said of it."""
 
     share: float
     facts: tuple[Fact, ...] = ()
@@ -161,7 +161,7 @@ def is_well_shaped(raw: JacobianCells, reading: Reading) -> bool:
 
 Terms = TypeVar("Terms", bound=JacobianTerms)
 Answer = TypeVar("Answer")
-Mark = Callable[[JacobianAsk], JacobianMark]
+Scoring = Callable[[JacobianAsk], JacobianScore]
 
 
 class JacobianType(PartType[Terms, JacobianCells, Answer]):
@@ -176,8 +176,8 @@ class JacobianType(PartType[Terms, JacobianCells, Answer]):
     disclosures: ClassVar = DISCLOSURES
 
     @abstractmethod
-    def marking(self, part: Terms, answer: Answer, context: Context) -> Mark:
-        """Return how an answer is marked that is about as many joints as there are."""
+    def scoring(self, part: Terms, answer: Answer, context: Context) -> Scoring:
+        """Return how an answer is scored that is about as many joints as there are."""
 
     @abstractmethod
     def opposite(self, forces: tuple[Cell, ...]) -> tuple[Cell, ...] | None:
@@ -189,15 +189,15 @@ class JacobianType(PartType[Terms, JacobianCells, Answer]):
         n = context.reference.table.n_joints
         if with_table and (context.own is None or context.own.table.n_joints != n):
             return judged(part, 0.0, Credit.NONE, feedback=(Feedback(code="jacobian_needs_table"),))
-        mark = self.marking(part, answer, context)
-        marks = [mark(question) for question in part.ask]
-        score = sum(given.share for given in marks) / len(marks)
-        feedback = [said for given in marks for said in given.feedback]
+        scoring = self.scoring(part, answer, context)
+        scores = [scoring(question) for question in part.ask]
+        score = sum(given.share for given in scores) / len(scores)
+        feedback = [said for given in scores for said in given.feedback]
         credit = context.own_credit if with_table else Credit.KEY
         if score == 1.0:
             code = "jacobian_right" if credit is Credit.KEY else "jacobian_follows_table"
             feedback.append(Feedback(code=code))
-        facts = [fact for given in marks for fact in given.facts]
+        facts = [fact for given in scores for fact in given.facts]
         return judged(part, score, credit, facts=facts, feedback=feedback)
 
     def wrong(self, part: Terms, context: Context, rng: Random) -> Iterator[tuple[str, JacobianCells]]:
@@ -210,14 +210,14 @@ class JacobianType(PartType[Terms, JacobianCells, Answer]):
             yield "forces_wrong", replace(right, forces=opposite)
 
 
-def _missing(what: JacobianAsk) -> JacobianMark:
-    """Return the mark for what was asked and not handed in."""
+def _missing(what: JacobianAsk) -> JacobianScore:
+    """Return the score for what was asked and not handed in."""
     said = Feedback(code="jacobian_missing", params={"what": what.value})
-    return JacobianMark(0.0, (Fact(where=(what.value,), finding=Finding.MISSING),), (said,))
+    return JacobianScore(0.0, (Fact(where=(what.value,), finding=Finding.MISSING),), (said,))
 
 
-def matrix_mark(jacobian: Any, judge: Callable[[Any], JacobianVerdict]) -> JacobianMark:
-    """Return the mark for a matrix, or for none.
+def matrix_score(jacobian: Any, judge: Callable[[Any], JacobianVerdict]) -> JacobianScore:
+    """Return the score for a matrix, or for none.
 
     Args:
         judge: finds what is right in it; raises JointValueError where the angles of the student's own arm
@@ -228,9 +228,9 @@ def matrix_mark(jacobian: Any, judge: Callable[[Any], JacobianVerdict]) -> Jacob
     try:
         found = judge(jacobian)
     except JointValueError:
-        return JacobianMark(0.0, (), (Feedback(code="jacobian_angles_locked"),))
+        return JacobianScore(0.0, (), (Feedback(code="jacobian_angles_locked"),))
     if found.right:
-        return JacobianMark(1.0)
+        return JacobianScore(1.0)
     wrong = np.argwhere(~found.entries).tolist()
     columns: dict[JacobianMistake, list[int]] = {}
     for mistake, joint in found.mistakes:
@@ -242,17 +242,17 @@ def matrix_mark(jacobian: Any, judge: Callable[[Any], JacobianVerdict]) -> Jacob
         )
         for mistake, joints in columns.items()
     ]
-    return JacobianMark(
+    return JacobianScore(
         min(found.share, 0.8),
         tuple(fact(False, "jacobian", r, c) for r, c in wrong),
         (Feedback(code="jacobian_wrong"), *mistakes),
     )
 
 
-def forces_mark(
+def forces_score(
     forces: Any, zeros: Any, judge: Callable[[Any], tuple[Sequence[bool], JacobianMistake | None]]
-) -> JacobianMark:
-    """Return the mark for joint forces, or for none.
+) -> JacobianScore:
+    """Return the score for joint forces, or for none.
 
     What as many zeros have right earns nothing.
     """
@@ -260,12 +260,12 @@ def forces_mark(
         return _missing(JacobianAsk.FORCES)
     right, mistake = judge(forces)
     if all(right):
-        return JacobianMark(1.0)
+        return JacobianScore(1.0)
     told = [Feedback(code="forces_wrong")]
     if mistake is not None:
         told.append(Feedback(code=f"forces_{mistake.value}"))
     nothing, _ = judge(zeros)
-    return JacobianMark(
+    return JacobianScore(
         min(share_earned(right, nothing), 0.8),
         tuple(fact(False, "forces", i) for i, good in enumerate(right) if not good),
         tuple(told),

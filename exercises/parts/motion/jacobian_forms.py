@@ -19,15 +19,15 @@ from exercises.parts.given_table import given_table
 from exercises.parts.motion.jacobian_cells import (
     JacobianAsk,
     JacobianCells,
-    JacobianMark,
+    JacobianScore,
     JacobianTerms,
     JacobianType,
-    Mark,
+    Scoring,
     answer_fields,
-    forces_mark,
+    forces_score,
     is_well_shaped,
     load_labels,
-    matrix_mark,
+    matrix_score,
     read_terms,
     told_question,
 )
@@ -145,8 +145,8 @@ class JacobianFormType(JacobianType[JacobianFormPart, JacobianForm]):
             jacobian = (*jacobian[3:], *jacobian[:3])
         return JacobianForm(jacobian=jacobian or None, forces=forces, rounded=rounded)
 
-    def marking(self, part: JacobianFormPart, answer: JacobianForm, context: Context) -> Mark:
-        """Return how an answer is marked as functions of the joint variables."""
+    def scoring(self, part: JacobianFormPart, answer: JacobianForm, context: Context) -> Scoring:
+        """Return how an answer is scored as functions of the joint variables."""
         robot = _robot(context, answer)
 
         def judge_matrix(jacobian: Matrix) -> JacobianVerdict:
@@ -160,12 +160,12 @@ class JacobianFormType(JacobianType[JacobianFormPart, JacobianForm]):
             )
             return right, mistake
 
-        def mark(question: JacobianAsk) -> JacobianMark:
+        def scored(question: JacobianAsk) -> JacobianScore:
             if question is JacobianAsk.JACOBIAN:
-                return matrix_mark(answer.jacobian, judge_matrix)
-            return forces_mark(answer.forces, [ZERO] * robot.table.n_joints, judge_statics)
+                return matrix_score(answer.jacobian, judge_matrix)
+            return forces_score(answer.forces, [ZERO] * robot.table.n_joints, judge_statics)
 
-        return mark
+        return scored
 
     def right(self, part: JacobianFormPart, context: Context) -> JacobianCells:
         """Return what follows from the student's own table, or from the key."""

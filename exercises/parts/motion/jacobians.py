@@ -24,15 +24,15 @@ from exercises.parts.joint_draws import JointDraws, in_radians, joint_labels, ke
 from exercises.parts.motion.jacobian_cells import (
     JacobianAsk,
     JacobianCells,
-    JacobianMark,
+    JacobianScore,
     JacobianTerms,
     JacobianType,
-    Mark,
+    Scoring,
     answer_fields,
-    forces_mark,
+    forces_score,
     is_well_shaped,
     load_labels,
-    matrix_mark,
+    matrix_score,
     read_terms,
     told_question,
 )
@@ -160,8 +160,8 @@ class JacobianPartType(JacobianType[JacobianPart, JacobianNumbers]):
             jacobian = np.vstack([jacobian[3:], jacobian[:3]])
         return JacobianNumbers(jacobian=jacobian, forces=forces)
 
-    def marking(self, part: JacobianPart, answer: JacobianNumbers, context: Context) -> Mark:
-        """Return how an answer is marked at the joint values of the question."""
+    def scoring(self, part: JacobianPart, answer: JacobianNumbers, context: Context) -> Scoring:
+        """Return how an answer is scored at the joint values of the question."""
         chain, joints = _arm(part, context)
         per_joint = np.array([1.0 if axis.prismatic else 1.0 / context.unit_ratio for axis in chain.axes])
 
@@ -180,12 +180,12 @@ class JacobianPartType(JacobianType[JacobianPart, JacobianNumbers]):
             )
             return max(found, key=lambda verdict: sum(verdict[0]))
 
-        def mark(question: JacobianAsk) -> JacobianMark:
+        def scored(question: JacobianAsk) -> JacobianScore:
             if question is JacobianAsk.JACOBIAN:
-                return matrix_mark(answer.jacobian, judge_matrix)
-            return forces_mark(answer.forces, [0.0] * len(joints), judge_statics)
+                return matrix_score(answer.jacobian, judge_matrix)
+            return forces_score(answer.forces, [0.0] * len(joints), judge_statics)
 
-        return mark
+        return scored
 
     def right(self, part: JacobianPart, context: Context) -> JacobianCells:
         """Return what follows from the student's own table, or from the key, rounded as on paper.

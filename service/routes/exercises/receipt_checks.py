@@ -8,11 +8,11 @@ from fastapi import Query, Request, Response
 from fastapi.responses import JSONResponse
 from pydantic import Field
 
-from service.adapters.gradebook import GradebookFormat, write_marks
+from service.adapters.gradebook import GradebookFormat, write_gradebook
 from service.adapters.judging import told_fault
 from service.http.languages import language_of
 from service.http.routing import api_router
-from service.receipts.checking import CheckedReceipt, check_receipts, marks_of
+from service.receipts.checking import CheckedReceipt, check_receipts, entries_of
 from service.receipts.receipt import LONGEST
 from service.resources import AppResources
 from service.schemas.base import Real, Wire
@@ -95,7 +95,7 @@ async def verify_receipts(
     checked = await resources.grading.run(partial(check_receipts, body.receipts, resources.receipt_keys))
     if gradebook is not None:
         stream = io.StringIO()
-        write_marks(marks_of(checked), stream, gradebook)
+        write_gradebook(entries_of(checked), stream, gradebook)
         return Response(stream.getvalue(), media_type=_CSV)
     return JSONResponse({"receipts": [_verified(entry, language) for entry in checked]})
 

@@ -13,7 +13,7 @@ import pytest
 
 from framewise import check
 from service.adapters.class_grading import ClassSettings, grade_class, misconceptions
-from service.adapters.gradebook import GradebookFormat, Mark, write_marks
+from service.adapters.gradebook import GradebookEntry, GradebookFormat, write_gradebook
 from service.adapters.hand_ins import hand_ins
 from service.adapters.hosts import HOSTS
 from service.adapters.hosts.assignment import Assignment
@@ -42,20 +42,20 @@ def class_folder(tmp_path: Path) -> Path:
     return folder
 
 
-def graded(folder: Path, jobs: int) -> list[Mark]:
+def graded(folder: Path, jobs: int) -> list[GradebookEntry]:
     settings = ClassSettings(exercise="twolink", language="fr")
     return list(grade_class(hand_ins(folder, TableSettings(angle_unit="deg")), settings, jobs=jobs))
 
 
 def test_a_class_is_graded_in_the_order_of_its_files_by_any_number_of_processes(class_folder: Path) -> None:
-    marks = graded(class_folder, jobs=1)
-    assert [mark.student for mark in marks] == sorted(mark.student for mark in marks)
-    assert [mark.correct for mark in marks] == [True, False, False, True] * 9 + [True]
-    assert [mark.points is None for mark in marks] == [False, False, True, False] * 9 + [False]
-    assert all(mark.score == 1 for mark in marks if mark.correct)
-    assert all(mark.score is not None and mark.score < 1 for mark in marks[1::4])
-    assert misconceptions(marks)["not_equivalent"] == 9
-    assert graded(class_folder, jobs=2) == marks
+    entries = graded(class_folder, jobs=1)
+    assert [entry.student for entry in entries] == sorted(entry.student for entry in entries)
+    assert [entry.correct for entry in entries] == [True, False, False, True] * 9 + [True]
+    assert [entry.points is None for entry in entries] == [False, False, True, False] * 9 + [False]
+    assert all(entry.score == 1 for entry in entries if entry.correct)
+    assert all(entry.score is not None and entry.score < 1 for entry in entries[1::4])
+    assert misconceptions(entries)["not_equivalent"] == 9
+    assert graded(class_folder, jobs=2) == entries
 
 
 def test_the_same_table_of_many_students_is_judged_once(tmp_path: Path) -> None:
@@ -64,10 +64,10 @@ def test_the_same_table_of_many_students_is_judged_once(tmp_path: Path) -> None:
         text = {7: WRONG, 290: NUMBERS}.get(i, RIGHT)
         (tmp_path / f"student{i:03}.csv").write_text(text)
     for jobs in (1, 2):
-        marks = graded(tmp_path, jobs)
-        assert [mark.student for mark in marks] == [f"student{i:03}" for i in range(300)]
-        assert [mark.source for mark in marks] == [f"student{i:03}.csv" for i in range(300)]
-        assert [i for i, mark in enumerate(marks) if not mark.correct] == [7]
+        entries = graded(tmp_path, jobs)
+        assert [entry.student for entry in entries] == [f"student{i:03}" for i in range(300)]
+        assert [entry.source for entry in entries] == [f"student{i:03}.csv" for i in range(300)]
+        assert [i for i, entry in enumerate(entries) if not entry.correct] == [7]
 
 
 def test_values_of_ones_own_are_judged_for_each_student(tmp_path: Path) -> None:
@@ -88,25 +88,25 @@ def test_an_exercise_that_was_mended_is_read_anew(tmp_path: Path) -> None:
     found = []
     for text in (folders.changed('"L1", alpha = 0', '"L1", alpha = 90'), folders.TWO_LINKS):
         folders.folder(tmp_path / "own", text)
-        (mark,) = grade_class(ann, settings, jobs=1)
-        found.append(mark.correct)
+        (entry,) = grade_class(ann, settings, jobs=1)
+        found.append(entry.correct)
     assert found == [False, True]
 
 
 def test_a_file_nested_without_end_stops_nobody_elses_mark(class_folder: Path) -> None:
     (class_folder / "deep.json").write_text('{"rows": ' + "[" * 900 + "]" * 900 + "}")
-    marks = graded(class_folder, jobs=2)
-    assert marks[0].source == "deep.json"
-    assert marks[0].codes == ("json_too_deep",)
-    assert sum(mark.correct for mark in marks) == 19
+    entries = graded(class_folder, jobs=2)
+    assert entries[0].source == "deep.json"
+    assert entries[0].codes == ("json_too_deep",)
+    assert sum(entry.correct for entry in entries) == 19
 
 
 def test_gradebooks(class_folder: Path) -> None:
-    marks = graded(class_folder, jobs=1)[:3]
+    entries = graded(class_folder, jobs=1)[:3]
     written = {}
     for form in GradebookFormat:
         stream = io.StringIO()
-        write_marks(marks, stream, form)
+        write_gradebook(entries, stream, form)
         written[form] = list(csv.reader(io.StringIO(stream.getvalue())))
     assert written[GradebookFormat.CSV][1][:3] == ["student00", "twolink", "true"]
     assert written[GradebookFormat.MOODLE][1][0] == "student00"
@@ -116,14 +116,14 @@ def test_gradebooks(class_folder: Path) -> None:
 
 
 def test_a_gradebook_has_no_line_for_nobody_and_keeps_what_an_exercise_is_worth() -> None:
-    ann = Mark(
+    ann = GradebookEntry(
         student="Ann", exercise="x", points=1, max_points=2, correct=False, codes=(), feedback="", source="a"
     )
     forged = replace(ann, student="", exercise="", points=None, max_points=None)
     late = replace(ann, student="Bob", points=None, max_points=None)
     for form in (GradebookFormat.MOODLE, GradebookFormat.CANVAS):
         stream = io.StringIO()
-        write_marks([forged, ann, late], stream, form)
+        write_gradebook([forged, ann, late], stream, form)
         found = list(csv.reader(io.StringIO(stream.getvalue())))
         assert all(any(row) for row in found)
         if form is GradebookFormat.CANVAS:
@@ -133,13 +133,13 @@ def test_a_gradebook_has_no_line_for_nobody_and_keeps_what_an_exercise_is_worth(
 @pytest.mark.parametrize("before", ["", "x;", "x; ", "x\t", "x\n", " "])
 def test_no_cell_of_a_gradebook_is_a_formula(before: str) -> None:
     """Nor one that a spreadsheet makes where a semicolon or a tab ends a cell, as in most of Europe."""
-    mark = Mark(
+    entry = GradebookEntry(
         student=f"{before}=HYPERLINK(1)", exercise="x", points=1, max_points=1, correct=True, codes=(),
         feedback="@x", source="-1",
     )  # fmt: skip
     for form in GradebookFormat:
         stream = io.StringIO()
-        write_marks([mark], stream, form)
+        write_gradebook([entry], stream, form)
         cells = [cell for row in csv.reader(io.StringIO(stream.getvalue())) for cell in row]
         assert not any(cell.startswith(("=", "@", "-")) for cell in cells)
         split = re.split(r"[;\t\n,]", stream.getvalue().replace('"', ""))
