@@ -9,8 +9,8 @@ from typing import Any
 
 from courses.attempts.stored_attempts import Typed, keep_drafts
 from courses.attempts.submissions import JudgedSubmission, store_submissions
+from courses.grades.outbox import OutboxState, outbox_state
 from courses.links.publications import publish, published
-from courses.marks.outbox import OutboxState, outbox_state
 from courses.model import Attempt, Course, CourseSession, Platform, PlatformStatus
 from courses.people.platforms import StoredKey, add_key, platform_by_id, platforms, remove_keys, stored_keys
 from courses.people.secrets import pseudonym

@@ -29,7 +29,7 @@ from courses.refusals import StorageUnavailableError
 from service import __version__
 
 if TYPE_CHECKING:
-    from courses.marks.outbox import OutboxState
+    from courses.grades.outbox import OutboxState
 
 SHARED = "PROMETHEUS_MULTIPROC_DIR"
 """Names the folder in which the processes of one server keep their figures; the library's own variable."""

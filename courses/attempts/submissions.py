@@ -14,9 +14,9 @@ import sqlalchemy as sa
 
 from courses.attempts.report_codes import finding_rows, path_of_codes
 from courses.attempts.stored_attempts import attempt_of, check_open, shown_now
+from courses.grades.gradebook import GradeChange, store_changes
 from courses.links.course_links import allowance_of
 from courses.links.link_settings import stored
-from courses.marks.gradebook import GradeChange, store_changes
 from courses.model import Attempt, CourseSession
 from courses.policies import Counted, advanced
 from courses.refusals import AttemptError, unknown_record

@@ -7,7 +7,7 @@ import sqlalchemy as sa
 
 from courses.attempts.report_codes import Code, path_of_codes
 from courses.attempts.stored_attempts import attempt_of
-from courses.marks.judged import judged, of_students
+from courses.grades.judged import judged, of_students
 from courses.model import Attempt, Link
 from courses.policies import worth
 from courses.storage import records
@@ -25,7 +25,7 @@ class ExportedAttempt:
         path: the codes of this judgement.
         person: pseudonym of the student.
         points: what the attempt is worth in the gradebook, after the penalty for attempts before it.
-        max_points: what full marks are worth there.
+        max_points: what all points are worth there.
         counted: it makes the student's grade.
     """
 

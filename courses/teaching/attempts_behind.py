@@ -7,7 +7,7 @@ from typing import Any
 
 import sqlalchemy as sa
 
-from courses.marks.judged import judged
+from courses.grades.judged import judged
 from courses.storage import records
 from courses.storage.database import Store
 from courses.storage.statements import record_of

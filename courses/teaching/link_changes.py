@@ -6,9 +6,9 @@ from typing import Any
 
 import sqlalchemy as sa
 
+from courses.grades.gradebook import regrade, schedule_scores
 from courses.links.course_links import allowance_of, link_of
 from courses.links.link_settings import stored, version_of, written
-from courses.marks.gradebook import regrade, schedule_scores
 from courses.model import Link, LinkSettings, Role
 from courses.people.privacy import participant
 from courses.policies import Allowance

@@ -16,7 +16,7 @@ import sqlalchemy as sa
 
 from courses.attempts.report_codes import Code
 from courses.attempts.stored_attempts import attempt_of
-from courses.marks.judged import judged
+from courses.grades.judged import judged
 from courses.model import Attempt
 from courses.refusals import OutdatedError, unknown_record
 from courses.storage import records

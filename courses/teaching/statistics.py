@@ -6,7 +6,7 @@ from typing import Any
 
 import sqlalchemy as sa
 
-from courses.marks.judged import judged, of_students
+from courses.grades.judged import judged, of_students
 from courses.storage import records
 from courses.storage.database import Store
 from courses.storage.statements import of_student, record_of

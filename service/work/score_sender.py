@@ -17,7 +17,7 @@ from urllib.parse import urlsplit
 
 from sqlalchemy.exc import SQLAlchemyError
 
-from courses.marks.outbox import (
+from courses.grades.outbox import (
     bumped,
     delivered,
     hasten,

@@ -12,7 +12,7 @@ import pytest
 import sqlalchemy as sa
 
 from courses.attempts.stored_attempts import LISTED, attempt_numbered, keep_drafts, standing_of
-from courses.marks.outbox import delivered, hasten, lease_scores, postponed, resend, undeliverable
+from courses.grades.outbox import delivered, hasten, lease_scores, postponed, resend, undeliverable
 from courses.model import CourseSession, LinkSettings, Role
 from courses.people import privacy
 from courses.people.privacy import erase_person, export_person, person_named, purge

@@ -10,7 +10,7 @@ import pytest
 import sqlalchemy as sa
 
 from courses.attempts.report_codes import path_of_codes
-from courses.marks.outbox import delivered, lease_scores
+from courses.grades.outbox import delivered, lease_scores
 from courses.model import Attempt, LinkSettings, Role
 from courses.people.privacy import erase_person, export_person
 from courses.policies import AttemptPolicy

@@ -11,7 +11,7 @@ from typing import Any
 import orjson
 import pytest
 
-from courses.marks.outbox import resend
+from courses.grades.outbox import resend
 from courses.model import ScoreToSend
 from courses.storage import records
 from courses.storage.database import Store

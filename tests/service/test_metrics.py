@@ -18,7 +18,7 @@ from opentelemetry.sdk.trace.export import BatchSpanProcessor, SimpleSpanProcess
 from opentelemetry.sdk.trace.export.in_memory_span_exporter import InMemorySpanExporter
 from prometheus_client.parser import text_string_to_metric_families
 
-from courses.marks.outbox import outbox_state
+from courses.grades.outbox import outbox_state
 from courses.storage import records
 from courses.storage.database import open_store
 from service.app import create_app

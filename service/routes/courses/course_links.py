@@ -11,8 +11,8 @@ from fastapi import Response
 from fastapi.responses import StreamingResponse
 
 from courses.attempts.stored_attempts import reports_of
+from courses.grades.outbox import resend
 from courses.links.link_settings import version_of, written
-from courses.marks.outbox import resend
 from courses.model import LinkSettings
 from courses.people.enrolment import preview
 from courses.people.secrets import issue_code

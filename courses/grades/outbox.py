@@ -13,8 +13,8 @@ from typing import Any
 
 import sqlalchemy as sa
 
+from courses.grades.gradebook import longest_extra
 from courses.links.link_settings import stored
-from courses.marks.gradebook import longest_extra
 from courses.model import ScoreToSend
 from courses.policies import score_due
 from courses.storage import records

@@ -8,7 +8,7 @@ from typing import Any
 
 import sqlalchemy as sa
 
-from courses.marks.judged import judged
+from courses.grades.judged import judged
 from courses.model import Link
 from courses.policies import Allowance, AttemptOutcome, Counted, counted, score_due
 from courses.storage import records
