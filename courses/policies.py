@@ -201,7 +201,7 @@ def disclosed(
 def score_due(policy: AttemptPolicy, now: datetime, *, released: bool, longest: timedelta) -> datetime | None:
     """Return when a grade may go to the gradebook: as soon as its student may know it; None until a release.
 
-    A mark in the gradebook must not tell what the page still withholds.
+    A grade in the gradebook must not tell what the page still withholds.
     """
     if disclosed(policy, 0, now, released=released, longest=longest) is not Shown.RECEIPT:
         return now

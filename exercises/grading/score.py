@@ -160,7 +160,7 @@ def _lost_beside_a_slip(work: Work, weights: Weights, standard: Standard, most: 
 def _is_in_one_row(change: Change, work: Work, wrong: float, standard: Standard) -> bool:
     """Whether an exchange of rows mends no more than what it changes in one of them: it is no exchange.
 
-    Else a cell that no fact asks for would raise the mark where it happens to hold what another one lacks.
+    Else a cell that no fact asks for would raise the score where it happens to hold what another one lacks.
 
     Args:
         change: the exchange, if it is one.

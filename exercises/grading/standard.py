@@ -126,7 +126,7 @@ def shared_across_prismatic(work: Work, standard: Standard) -> float:
     """By how much less the facts weigh if what is wrong across one group of prismatic joints counts as one.
 
     How two axes with prismatic joints between them lie to each other is up to three facts: a distance, an
-    offset and a turn. One edit mends all of them in some frames, in others two do; the mark is the same.
+    offset and a turn. One edit mends all of them in some frames, in others two do; the score is the same.
     """
     wrong, least = wrong_of(work, standard), 0.0
     for without in without_each_gap(standard):

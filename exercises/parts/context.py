@@ -64,7 +64,7 @@ class Context:
 
     @cached_property
     def own_share(self) -> float:
-        """Which share of its marks an answer earns that follows from the student's own table."""
+        """Which share of its points an answer earns that follows from the student's own table."""
         if self.own is None:
             return 1.0
         try:
@@ -75,7 +75,7 @@ class Context:
 
     @property
     def own_credit(self) -> Credit:
-        """What marks rest on that follow from the student's own table."""
+        """What points rest on that follow from the student's own table."""
         return Credit.KEY if self.own_correct else Credit.OWN_TABLE
 
     @property

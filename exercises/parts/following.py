@@ -18,7 +18,7 @@ _EARNED = frozenset(
 
 
 def share_that_follows(own: NumericTable, key: NumericTable) -> float:
-    """Return which share of its marks an answer earns that follows from a wrong table."""
+    """Return which share of its points an answer earns that follows from a wrong table."""
     wanted = ENOUGH * _says(key)
     return min(1.0, _says(own) / wanted) if wanted else 1.0
 

@@ -11,7 +11,7 @@ PLACES = 6  # Decimals of points: what floating-point arithmetic leaves behind t
 
 
 class Credit(StrEnum):
-    """What the marks of a part rest on.
+    """What the points of a part rest on.
 
     KEY: the answer is right for the robot.
     OWN_TABLE: it is not, or may not be, but it follows from the student's own table; an error is marked once.
@@ -46,7 +46,7 @@ class PartReport:
         score: 0 … 1, what it earns; an answer that follows from a wrong table earns its points, too.
         points: score times what the part is worth.
         max_points: what the part is worth.
-        credit: what the marks rest on.
+        credit: what the points rest on.
         facts: the single findings, if the help level shows them.
         feedback: what to tell the student.
     """
@@ -79,8 +79,8 @@ def judged(
 
     Args:
         score: 0 … 1.
-        credit: what the marks rest on; nothing, if there are none.
-        correct: right for the robot; left out: full marks that rest on the key.
+        credit: what the points rest on; nothing, if there are none.
+        correct: right for the robot; left out: all points, if they rest on the key.
     """
     credit = credit if score else Credit.NONE
     points = float(part.points)

@@ -91,7 +91,7 @@ def check_values(
 
 
 def _check_earnings(findings: Findings, exercise: Exercise) -> None:
-    """There is something to describe, and a wrong table may earn a part of the marks."""
+    """There is something to describe, and a wrong table may earn a part of the points."""
     key = bind(exercise.reference.table, generate(exercise).values)
     if not key.n_joints:
         findings.warn("no_joints")
@@ -172,7 +172,7 @@ def _check_mistakes(findings: Findings, instance: Instance, rng: Random, most: i
 
 
 def _check_parts(findings: Findings, instance: Instance, rng: Random) -> None:
-    """All parts of a right table earn full marks; what follows from a wrong one earns its own."""
+    """All parts of a right table earn all points; what follows from a wrong one earns its own."""
     exercise = instance.exercise
     read = other_frames(instance, rng)
     for report in judged_answer(instance, answer_from(instance, read)).parts:

@@ -1,4 +1,4 @@
-"""Files of marks that appear when they are complete: a command that fails leaves what was there."""
+"""Files of grades that appear when they are complete: a command that fails leaves what was there."""
 
 import shutil
 from collections.abc import Iterator

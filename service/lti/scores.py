@@ -45,7 +45,7 @@ class ScoreMessage:
     def written(self) -> dict[str, Any]:
         """Return the message as the specification writes it.
 
-        It is never pending: some gradebooks then forget a mark.
+        It is never pending: some gradebooks then forget a score.
         """
         message: dict[str, Any] = {
             "userId": self.user,
@@ -137,7 +137,7 @@ def line_item_for(
 
     Creating one is not idempotent: it is always looked for first, and where the platform does not tell what
     there is, none is made. A new one names its link,
-    without which Open edX never publishes its marks; where a platform refuses that, it stands alone.
+    without which Open edX never publishes its grades; where a platform refuses that, it stands alone.
 
     Returns:
         Address of the line item.

@@ -1,4 +1,4 @@
-"""Many receipts verified: what each says, and as marks for a gradebook."""
+"""Many receipts verified: what each says, and as entries of a gradebook."""
 
 import re
 from collections import Counter

@@ -1,7 +1,7 @@
 """The student's frames, placed in the figure: right if they obey a convention's rules and keep the policy.
 
 Every valid assignment is accepted: what counts are the rules of `kinematics.frames.rules`, and the table that
-follows from the frames is graded like any other. The facts that earn marks are independent of one another:
+follows from the frames is graded like any other. The facts that earn points are independent of one another:
 for each frame its z, its origin and its x.
 """
 

@@ -48,7 +48,7 @@ USUAL_TURNS = Draw(start=Fraction(-120), stop=Fraction(120), step=Fraction(15), 
 """From where the angles of a numeric pose are drawn, in degrees."""
 
 ScoredPose: TypeAlias = tuple[float, Floats, Floats, Credit]
-"""What an answer earns beside a pose, the answer in its unit, the pose, and on what the marks rest."""
+"""What an answer earns beside a pose, the answer in its unit, the pose, and on what the points rest."""
 
 
 def policy_fixes_pose(policy: Policy) -> bool:
@@ -207,7 +207,7 @@ def _first_best(ways: Iterator[ScoredPose], otherwise: ScoredPose) -> ScoredPose
 def _expected(
     context: Context, joints: Sequence[float], transform: SymbolicMatrix | None
 ) -> Iterator[tuple[Floats, Credit]]:
-    """The poses that earn marks, and what the marks rest on then."""
+    """The poses that earn points, and what the points rest on then."""
     if policy_fixes_pose(context.policy):
         q = in_radians(context.instance.exercise, context.instance.drawn[PosePartType.kind])
         pose = forward_kinematics(context.reference_numbers, q).transform.copy()

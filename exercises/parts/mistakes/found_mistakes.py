@@ -132,7 +132,7 @@ class MistakeType(PartType[M, Raw, Read]):
         return None
 
     def report(self, part: M, place: FoundStep, name: FoundStep, mended: FoundStep) -> PartReport:
-        """Return the report on an answer, a third of the marks for each of these."""
+        """Return the report on an answer, a third of the points for each of these."""
         steps = list(zip(self.fields, (place, name, mended), self.words, strict=False))
         facts = [
             Fact(where=(field,), finding=Finding.MISSING)

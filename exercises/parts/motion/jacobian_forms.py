@@ -1,6 +1,6 @@
 """A Jacobian in closed form, and the joint forces that hold a wrench, as functions of the joint variables.
 
-Beside a table they are those of the student's own table, in its own joint variables, and earn their marks if
+Beside a table they are those of the student's own table, in its own joint variables, and earn their points if
 they follow from it; alone they are those of the key, which is then given.
 """
 

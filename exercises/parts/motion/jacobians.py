@@ -1,7 +1,7 @@
 """A Jacobian in numbers, and the joint forces that hold a wrench.
 
 Beside a table they are those of the student's own table, at the joint values of its own variables, and earn
-their marks if they follow from it; alone they are those of the key, which is then given. Lengths are in the
+their points if they follow from it; alone they are those of the key, which is then given. Lengths are in the
 exercise's unit, as the task says; those of an answer beside a table in another unit may be in that one.
 """
 

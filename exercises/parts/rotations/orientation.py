@@ -2,7 +2,7 @@
 
 What is right is decided by meaning (`kinematics.rotations.orientation_answers`): q and −q, (k, θ) and
 (−k, −θ), either triple of angles, full turns; at gimbal lock any triple, and the whole family where all are
-asked. Each notation that is asked earns marks of its own.
+asked. Each notation that is asked earns points of its own.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
