@@ -44,8 +44,9 @@ serve: $(VENV)/.runtime vendor ## run the service on http://127.0.0.1:8000 (PORT
 test: $(VENV)/.dev vendor ## every check and test
 	$(MAKE) -j 3 pytest lint-python lint-web
 
+# Three processes on two processors: one that waits for a page, a delay or a database leaves none of them idle.
 pytest: $(VENV)/.dev vendor
-	$(PY) -m pytest -n 2 --dist loadfile --no-loadscope-reorder --durations 30
+	$(PY) -m pytest -n 3 --dist loadfile --no-loadscope-reorder --durations 30
 
 mued: $(VENV)/.dev ## ask a µEd service at MUED_URL= (this checkout, if left out) whether it keeps the standard
 	$(PY) -m pytest -n 0 tests/mued

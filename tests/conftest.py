@@ -62,20 +62,23 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     items.sort(key=lambda item: rank.get(item.path.parts[depth], len(LONG)))
 
 
-def import_from_the_end(config: pytest.Config) -> None:
-    """Have the second process import all test modules from the last one on, before it collects.
+def import_from_another_end(config: pytest.Config) -> None:
+    """Have the second process import all test modules from the last one on, the third from the middle on.
 
-    In a fresh clone pytest first rewrites the asserts of each module and keeps the result: two processes that
-    begin at opposite ends find half of them done, where side by side both do all of it. What cannot be
-    imported is told when it is collected.
+    They do so before they collect. In a fresh clone pytest first rewrites the asserts of each module and
+    keeps the result: processes that begin at different modules find most of them done, where side by side
+    each does all of it. What cannot be imported is told when it is collected.
     """
-    if getattr(config, "workerinput", {}).get("workerid") != "gw1":
+    worker = getattr(config, "workerinput", {}).get("workerid")
+    if worker not in ("gw1", "gw2"):
         return
     root = Path(__file__).parent.parent
-    for folder in (config.invocation_params.dir / argument for argument in config.args):
-        for path in sorted(folder.rglob("test_*.py") if folder.is_dir() else (), reverse=True):
-            with suppress(Exception, pytest.skip.Exception):
-                importlib.import_module(".".join(path.relative_to(root).with_suffix("").parts))
+    folders = [config.invocation_params.dir / argument for argument in config.args]
+    paths = [path for folder in folders if folder.is_dir() for path in sorted(folder.rglob("test_*.py"))]
+    middle = len(paths) // 2
+    for path in reversed(paths) if worker == "gw1" else paths[middle:] + paths[:middle]:
+        with suppress(Exception, pytest.skip.Exception):
+            importlib.import_module(".".join(path.relative_to(root).with_suffix("").parts))
 
 
 @pytest.hookimpl(wrapper=True)
@@ -86,7 +89,7 @@ def pytest_collection(session: pytest.Session) -> Generator[None, object, object
     the usual number, takes a twentieth of what formulas and searches of the checker cost.
     """
     gc.disable()
-    import_from_the_end(session.config)
+    import_from_another_end(session.config)
     try:
         return (yield)
     finally:
