@@ -34,6 +34,13 @@ _VALUE_AND_WORD = re.compile(
 )
 
 
+_BRACKETED = re.compile(
+    rf"(?:(?<![\w.]){_NUMBER}|pi|π|[^\W\d]_?(?:\d+|[₀-₉]+))[ \u00a0\u202f]*"
+    r"([(\[] *([^\W\d_]+)\.? *[)\]])(?!\w)"
+)
+"""The same in brackets: d3 (m), 90 [deg]."""
+
+
 def unit_refusal(text: str) -> CellRefusal | None:
     """Return the refusal of the first unit behind a value, with the cell as it is without any; or None."""
     units = [
@@ -41,6 +48,8 @@ def unit_refusal(text: str) -> CellRefusal | None:
         for found in _VALUE_AND_WORD.finditer(text)
         if _is_unit(found[2]) or found[1].lower() == _STOPPED
     ]
+    units += [found for found in _BRACKETED.finditer(text) if _is_unit(found[2]) or found[2] == "deg"]
+    units.sort(key=lambda found: found.start(1))
     if not units:
         return None
     rest = text

@@ -1,16 +1,21 @@
 """Marks on joint variables: θ1*, θ1^*, q1(t), theta(1).
 
 An asterisk marks what varies in many textbooks, (t) what depends on time, and programs count with
-parentheses. All of them are the variable itself. A raised zero or o behind a number is a degree sign.
+parentheses. All of them are the variable itself. An index that is no longer
+lowered stays one. A raised zero or o behind a number is a degree sign.
 """
 
 import re
 
 from lark import Token
 
+from kinematics.cells.characters import GREEK
+
 _VARIABLE = re.compile(r"(?:q|Q|theta|Theta|d)[0-9]{1,4}")
 _NUMBERLESS = re.compile(r"q|Q|theta|Theta|d")
 _ANGLE_VARIABLE = re.compile(r"(?:q|Q|theta|Theta)[0-9]{0,4}")
+_LETTER = re.compile("[A-DF-WYZa-df-wyz]|" + "|".join(GREEK.values()))
+"""Names that a number behind them is an index of, L 1, as a PDF lowers nothing; not in 3 x 4 or 1 e 3."""
 _RAISED_STAR = (("POW", "STAR"), ("POW", "LBRACE", "STAR", "RBRACE"))
 _RAISED_ZERO = (("SUPERSCRIPT",), ("POW", "NUMBER"), ("POW", "LBRACE", "NUMBER", "RBRACE"))
 _CALL = ("LPAR", "NAME", "RPAR")
@@ -47,6 +52,10 @@ def without_marks(tokens: list[Token]) -> list[Token]:
 
 def _unmarked(name: Token, tokens: list[Token], position: int) -> tuple[Token, int]:
     """A name and the position behind its marks."""
+    if _types(tokens, position, 1) == ("NUMBER",) and _LETTER.fullmatch(name):
+        index = tokens[position]
+        if index.isdecimal() and len(index) <= 2:
+            name, position = Token("NAME", f"{name}{index}", column=name.column), position + 1
     if _NUMBERLESS.fullmatch(name) and _types(tokens, position, 3) == _INDEX:
         index = tokens[position + 1]
         if index.isdecimal():

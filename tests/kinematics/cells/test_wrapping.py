@@ -45,6 +45,12 @@ ANGLE, LENGTH = ParameterKind.ANGLE, ParameterKind.LENGTH
         ("ϖ/2", "pi/2"),
         ("∏/2", "pi/2"),
         ("=RADIANES(90)", "pi/2"),
+        # letters that look like θ, and an index that a PDF no longer lowers
+        ("Ѳ1", "q1"),
+        ("ө₁", "q1"),
+        ("θ 1", "q1"),
+        ("q 1 + 90°", "q1 + 90°"),
+        ("theta 12", "q12"),
         ("=RADIANOS(-90)", "-pi/2"),
     ],
 )
@@ -56,6 +62,8 @@ def test_angle(pasted, plain):
     ("pasted", "plain"),
     [
         ("{{L}_{1}}", "L1"),
+        ("L 1 + a 2", "L1 + a2"),
+        ("2 d 3", "2*d3"),
         ("{{L}_{1}}+{{L}_{2}}", "L1 + L2"),
         ("2{{L}_{1}}", "2*L1"),
         ("\\sqrt{2}{{L}_{1}}", "sqrt(2)*L1"),
@@ -113,6 +121,12 @@ def test_length(pasted, plain):
         ("п1", "character_not_allowed"),
         ("кут", "character_not_allowed"),
         ("\\frac{{L}_1}", "cell_incomplete"),
+        ("d3 (m)", "unit_in_cell"),
+        ("0.15 [mm]", "unit_in_cell"),
+        ("2*L1 (cm.)", "unit_in_cell"),
+        ("3 x 4", "number_after_value"),
+        ("1 e 3", "number_after_value"),
+        ("L 1 2", "number_after_value"),
         ("n/a", "cell_dash"),
         (" N/A ", "cell_dash"),
         ("n.a.", "cell_dash"),
@@ -122,9 +136,17 @@ def test_what_means_nothing_is_refused(cell, code):
     assert faults_of(raw_row(a=cell)) == [(code, ("rows", 0, "a"))]
 
 
-@pytest.mark.parametrize("cell", ["θ1(+90°)", "θ1 (0)", "q1 (rad)", "\\theta_1 (var)", "Q1(2)"])
+@pytest.mark.parametrize("cell", ["θ1(+90°)", "θ1 (0)", "\\theta_1 (var)", "Q1(2)"])
 def test_no_product_is_proposed_where_something_in_parentheses_follows_a_joint_variable(cell):
     assert faults_of(raw_row(theta=cell)) == [("variable_called", ("rows", 0, "theta"))]
+
+
+@pytest.mark.parametrize(("cell", "rest"), [("q1 (rad)", "q1"), ("90 [deg] + q1", "90 + q1")])
+def test_a_unit_in_brackets_is_told_as_one(cell, rest):
+    with pytest.raises(CellError) as caught:
+        read_cell(cell, ANGLE)
+    (fault,) = caught.value.faults
+    assert (fault.code, fault.params["suggestion"]) == ("unit_in_cell", rest)
 
 
 def test_lengths_n_and_a_may_still_be_divided():
