@@ -67,12 +67,12 @@ def refuse_misspelled(node: Node) -> None:
     """Refuse th1, t1 and var where a joint angle stands: they mean its variable and are not its name.
 
     Raises:
-        CellRefusal: such a name stands in the cell, with the name that is meant if it has a number.
+        CellRefusal: such a name stands in the cell, with the name that is meant, as far as it is known.
     """
     for name in names_in(node):
         match = _MISSPELLED.fullmatch(name.name)
         if match:
-            suggestion = f"q{match.group(1) or 1}"
+            suggestion = f"q{match.group(1) or ''}"
             raise CellRefusal(
                 "variable_misspelled", column=name.column, name=name.name, suggestion=suggestion
             )

@@ -5,7 +5,7 @@ import pytest
 from kinematics.cells import AngleUnit, ParameterKind, nearest_name, rate_in_marks, read_cell
 from kinematics.cells.refusals import CellRefusal
 from kinematics.cells.scanner import scan
-from kinematics.errors import CellError
+from kinematics.errors import CellError, KinematicsError
 from tests.kinematics.cells.tables import faults_of, raw_row, read
 
 NAMES = ("L1", "L2", "a2", "a3", "D3", "RL4", "alpha1", "reach")
@@ -99,6 +99,15 @@ def test_what_only_looks_like_a_mark_is_refused_as_before(cell, code):
 def test_other_names_of_the_variable_are_told(name):
     assert faults_of(raw_row(theta=name)) == [("variable_misspelled", ("rows", 0, "theta"))]
     assert not faults_of(raw_row(theta="q1", d=name))
+
+
+@pytest.mark.parametrize(("name", "suggestion"), [("th3", "q3"), ("var", "q"), ("variable", "q")])
+def test_no_row_is_told_the_variable_of_another(name, suggestion):
+    """The word alone stands in every row, and q1 in one."""
+    with pytest.raises(KinematicsError) as caught:
+        read(raw_row(theta=name))
+    (fault,) = caught.value.faults
+    assert fault.params["suggestion"] == suggestion
 
 
 @pytest.mark.parametrize(
