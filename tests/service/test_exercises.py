@@ -17,7 +17,7 @@ from service.__main__ import main
 from service.settings import Settings
 from service.wire.exercises import exercise_views
 from tests.examples import ANSWERS, SCARA_BY_THE_BOOK
-from tests.exercises.folders import folder
+from tests.exercises.folders import TWO_LINKS, folder
 from tests.exercises.packaged import exercise, exercise_ids, table_ids
 from tests.live_service import running
 
@@ -393,3 +393,30 @@ def test_the_page_of_a_text_in_another_language_says_so(tmp_path: Path) -> None:
     assert 'id="statement" class="prose" lang="en"' in other
     assert 'id="statement" class="prose" lang="fr"' in translated
     assert "Langue du texte" not in translated
+
+
+def test_the_limits_by_which_a_workspace_is_judged_are_told(tmp_path: Path) -> None:
+    """Students read that the joints keep to their limits, and nowhere which these are."""
+    asked = """
+[policy]
+tool = "point"
+
+[figure]
+posture = [0, -30]
+marks = ["P"]
+points.P = { frame = 2 }
+
+[[parts]]
+kind = "workspace"
+points = 10
+point = "P"
+limits = [[], [-22.5, 120]]
+"""
+    folder(tmp_path, TWO_LINKS.replace('[[parts]]\nkind = "table"\npoints = 10\n', asked), name="crane")
+    with running(Settings(exercise_folders=(tmp_path,))) as url, httpx.Client(base_url=url) as own:
+        for code in ("en", "es", "fr", "pt", "ro", "uk"):
+            low = "22.5" if code == "en" else "22,5"
+            (part,) = own.get(f"/api/v1/exercises/crane?lang={code}").json()["parts"]
+            assert f"−{low}° ≤ q2 ≤ 120°" in part["task"]
+            assert "q2 = −30°" in part["task"]
+            assert "q1" not in part["task"]

@@ -12,7 +12,7 @@ import numpy as np
 
 from exercises.definition import Exercise, Part
 from exercises.errors import DefinitionError
-from exercises.figures.points import Points
+from exercises.figures.points import Points, posture_in_figure
 from exercises.grading import Feedback, HelpLevel
 from exercises.instance import Instance
 from exercises.names import in_own_names
@@ -20,6 +20,7 @@ from exercises.parts.cells.by_name import ByName, read_by_name
 from exercises.parts.context import Context
 from exercises.parts.first_values import Start, joint_names
 from exercises.parts.forward.reach import Reach, reach
+from exercises.parts.joint_draws import told_units
 from exercises.parts.protocol import PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, PartReport, fact, judged, told_from
 from exercises.parts.task import PartTask
@@ -145,11 +146,13 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, ByName[Reach]]):
 
     def task(self, part: WorkspacePart, instance: Instance) -> PartTask:
         """Ask for the least and the greatest distance."""
-        limited = any(limit is not None for limit in part.limits)
+        ranges, drawn = _told_limits(part, instance.exercise)
         values = {
             "point": part.point,
             "origin": part.origin or "",
-            "limits": "some" if limited else "none",
+            "limits": "some" if ranges else "none",
+            "ranges": ranges,
+            "drawn": drawn,
             "unit": instance.exercise.length_unit.value,
         }
         given = WorkspaceTask(point=part.point, reach_from=part.origin or AXIS)
@@ -227,6 +230,22 @@ def _what_is_off(answer: Reach, key: Reach, context: Context, limit: float) -> F
         if near(factor * key.inner, factor * key.outer, factor * limit):
             return Feedback(code="workspace_other_length_unit", params={"unit": context.length_unit.value})
     return None
+
+
+def _told_limits(part: WorkspacePart, exercise: Exercise) -> tuple[str, str]:
+    """Limits as inequalities, and where these joints are in the figure, which shows where their zeros lie."""
+    table, unit = exercise.reference.table, exercise.angle_unit
+    ranges, drawn = [], []
+    posture = posture_in_figure(exercise.figure, table)
+    joints = zip(part.limits, posture, table.joint_types, told_units(exercise), strict=True)
+    for i, (limit, value, joint_type, sign) in enumerate(joints, 1):
+        if limit is None:
+            continue
+        shown = unit.from_radians(value) if joint_type is JointType.REVOLUTE else value
+        low, high, now = (f"{float(x):g}{sign if sign == '°' else f' {sign}'}" for x in (*limit, shown))
+        ranges.append(f"{low} ≤ q{i} ≤ {high}")
+        drawn.append(f"q{i} = {now}")
+    return ", ".join(ranges), ", ".join(drawn)
 
 
 def _interval(limit: tuple[Fraction, Fraction], unit: AngleUnit | None) -> tuple[float, float]:

@@ -81,11 +81,11 @@ task-transform = Write ⁰T, the pose of the last frame in frame 0, in closed fo
 task-pose = Evaluate your ⁰T for { $joints } and the dimensions given here, lengths in { unit-word }.
 task-workspace-axis = How near to the axis of joint 1 can { $point } be brought, and how far from it? { $limits ->
     [none] Every joint may take any value.
-   *[some] The joints keep to their limits.
+   *[some] The joints keep to their limits: { $ranges }; in the figure, { $drawn }.
 } Give both radii in { unit-word }.
 task-workspace-point = What are the least and the greatest distance of { $point } from { $origin }? { $limits ->
     [none] Every joint may take any value.
-   *[some] The joints keep to their limits.
+   *[some] The joints keep to their limits: { $ranges }; in the figure, { $drawn }.
 } Give both radii in { unit-word }.
 
 ## Feedback on the parts

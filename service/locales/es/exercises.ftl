@@ -81,11 +81,11 @@ task-transform = Escriba en forma cerrada ⁰T, la pose del último sistema en e
 task-pose = Evalúe su ⁰T para { $joints } y para las dimensiones dadas aquí, con las longitudes en { unit-word }.
 task-workspace-axis = ¿A qué distancia mínima y a qué distancia máxima del eje de la articulación 1 se puede llevar { $point }? { $limits ->
     [none] Cada articulación puede tomar cualquier valor.
-   *[some] Las articulaciones respetan sus límites.
+   *[some] Las articulaciones respetan sus límites: { $ranges }; en la figura, { $drawn }.
 } Dé los dos radios en { unit-word }.
 task-workspace-point = ¿Cuáles son la menor y la mayor distancia entre { $point } y { $origin }? { $limits ->
     [none] Cada articulación puede tomar cualquier valor.
-   *[some] Las articulaciones respetan sus límites.
+   *[some] Las articulaciones respetan sus límites: { $ranges }; en la figura, { $drawn }.
 } Dé los dos radios en { unit-word }.
 
 ## Comentarios sobre las partes

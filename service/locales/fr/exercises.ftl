@@ -81,11 +81,11 @@ task-transform = Écrivez sous forme littérale ⁰T, la pose du dernier repère
 task-pose = Évaluez votre ⁰T pour { $joints } et pour les cotes données ici, les longueurs en { unit-word }.
 task-workspace-axis = À quelle distance minimale et à quelle distance maximale de l’axe de l’articulation 1 peut-on amener { $point } ? { $limits ->
     [none] Chaque articulation peut prendre toute valeur.
-   *[some] Les articulations respectent leurs limites.
+   *[some] Les articulations respectent leurs limites : { $ranges } ; sur la figure, { $drawn }.
 } Donnez les deux rayons en { unit-word }.
 task-workspace-point = Quelles sont la plus petite et la plus grande distance entre { $point } et { $origin } ? { $limits ->
     [none] Chaque articulation peut prendre toute valeur.
-   *[some] Les articulations respectent leurs limites.
+   *[some] Les articulations respectent leurs limites : { $ranges } ; sur la figure, { $drawn }.
 } Donnez les deux rayons en { unit-word }.
 
 ## Remarques sur les parties

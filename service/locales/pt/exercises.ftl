@@ -81,11 +81,11 @@ task-transform = Escreva ⁰T, a matriz do último referencial para o referencia
 task-pose = Calcule a sua ⁰T para { $joints } e para as dimensões dadas aqui, com os comprimentos em { unit-word }.
 task-workspace-axis = Até que distância mínima e até que distância máxima do eixo da junta 1 se pode levar { $point }? { $limits ->
     [none] Cada junta pode tomar qualquer valor.
-   *[some] As juntas respeitam os seus limites.
+   *[some] As juntas respeitam os seus limites: { $ranges }; na figura, { $drawn }.
 } Dê os dois raios em { unit-word }.
 task-workspace-point = Quais são a menor e a maior distância entre { $point } e { $origin }? { $limits ->
     [none] Cada junta pode tomar qualquer valor.
-   *[some] As juntas respeitam os seus limites.
+   *[some] As juntas respeitam os seus limites: { $ranges }; na figura, { $drawn }.
 } Dê os dois raios em { unit-word }.
 
 ## Comentários sobre as partes

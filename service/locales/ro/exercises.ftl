@@ -82,11 +82,11 @@ task-transform = Scrieți ⁰T, matricea de la ultimul sistem la sistemul 0, în
 task-pose = Evaluați ⁰T pentru { $joints } și pentru cotele date aici, cu lungimile în { unit-word }.
 task-workspace-axis = Cât de aproape de axa cuplei 1 poate fi adus { $point } și cât de departe de ea? { $limits ->
     [none] Fiecare cuplă poate lua orice valoare.
-   *[some] Cuplele își respectă limitele.
+   *[some] Cuplele își respectă limitele: { $ranges }; în figură, { $drawn }.
 } Dați ambele raze în { unit-word }.
 task-workspace-point = Care sunt distanța minimă și cea maximă de la { $point } la { $origin }? { $limits ->
     [none] Fiecare cuplă poate lua orice valoare.
-   *[some] Cuplele își respectă limitele.
+   *[some] Cuplele își respectă limitele: { $ranges }; în figură, { $drawn }.
 } Dați ambele raze în { unit-word }.
 
 ## Comentarii la părți
