@@ -102,8 +102,7 @@ class Visits:
     def __init__(self, browser: Browser, origin: str) -> None:
         self.context = new_context(browser, webgl=True)
         self.origins = {origin}
-        """Where somebody may have been since all was forgotten."""
-        self._usual = origin
+        """Where somebody has been."""
         self._first_page = self.context.new_page()
         self._first_page.goto(f"{origin}/version")
         self._protocol = self.context.new_cdp_session(self._first_page)
@@ -123,7 +122,6 @@ class Visits:
         stored = "local_storage,indexeddb,cache_storage,service_workers,file_systems,shared_storage"
         for origin in self.origins:
             self._protocol.send("Storage.clearDataForOrigin", {"origin": origin, "storageTypes": stored})
-        self.origins = {self._usual}
 
 
 @pytest.fixture(scope="package")
