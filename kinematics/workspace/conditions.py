@@ -15,6 +15,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinematics.errors import Fault, PoseError
 from kinematics.inverse.arm import Arm, ArmReach, arm_of
@@ -89,12 +90,15 @@ class _Surface:
             jacobians.append(turning[:, 3:])
         return place, along, np.concatenate(errors, axis=1), np.concatenate(jacobians, axis=1)
 
-    def brought(self, x: Floats, steps: int) -> tuple[Floats, Floats]:
-        """Configurations after Gauss–Newton steps onto the set, and the size of their errors (m,)."""
+    def brought(self, x: Floats, steps: int, held: NDArray[np.bool_] | bool = False) -> tuple[Floats, Floats]:
+        """Configurations after Gauss–Newton steps onto the set, and the size of their errors (m,).
+
+        Joints that are `held`, (m, n), stay where they are.
+        """
         for _ in range(steps):
             _, _, c, C = self.seen(x)
             step = _least_step(C, c)
-            blocked = ((x <= self.low) & (step < 0.0)) | ((x >= self.high) & (step > 0.0))
+            blocked = held | ((x <= self.low) & (step < 0.0)) | ((x >= self.high) & (step > 0.0))
             if blocked.any():
                 step = _least_step(np.where(blocked[:, None], 0.0, C), c)
             longest = np.abs(step).max(axis=1, initial=0.0)[:, None]
@@ -171,21 +175,26 @@ def _gradients(objectives: Objectives, place: Floats, along: Floats) -> Floats:
 
 
 def _ascended(surface: _Surface, objectives: Objectives, x: Floats) -> Floats:
-    """Configurations after steps along their projected gradients, each as long as it still helps."""
+    """Configurations after steps along their projected gradients, each as long as it still helps.
+
+    A joint that a step takes to its limit stays there while the others are brought back: else it would come
+    off the limit again with every step, and the steps would get shorter and shorter.
+    """
     step = np.full(len(x), 0.1)
     value = objectives.values(surface.seen(x)[0])
     for _ in range(MOST_STEPS):
         place, along, _, C = surface.seen(x)
         g = _gradients(objectives, place, along)
         way = g + _least_step(C, np.einsum("mkn,mn->mk", C, g))
-        blocked = ((x <= surface.low) & (way < 0.0)) | ((x >= surface.high) & (way > 0.0))
-        if blocked.any():
-            g = np.where(blocked, 0.0, g)
-            C = np.where(blocked[:, None], 0.0, C)
-            way = g + _least_step(C, np.einsum("mkn,mn->mk", C, g))
-        length = np.maximum(np.linalg.norm(way, axis=1), 1e-300)
-        moved = np.clip(x + (step / length)[:, None] * way, surface.low, surface.high)
-        moved, off = surface.brought(moved, STEPS_BACK)
+        ahead = x + _long(way, step)
+        passed = (ahead <= surface.low) | (ahead >= surface.high)
+        if passed.any():
+            g = np.where(passed, 0.0, g)
+            C = np.where(passed[:, None], 0.0, C)
+            others = x + _long(g + _least_step(C, np.einsum("mkn,mn->mk", C, g)), step)
+            ahead = np.where(passed, ahead, others)
+        moved = np.clip(ahead, surface.low, surface.high)
+        moved, off = surface.brought(moved, STEPS_BACK, passed)
         there = objectives.values(surface.seen(moved)[0])
         better = (off <= HOLDS) & (there > value)
         x, value = np.where(better[:, None], moved, x), np.where(better, there, value)
@@ -194,6 +203,12 @@ def _ascended(surface: _Surface, objectives: Objectives, x: Floats) -> Floats:
             break
         step = np.clip(step, 1e-12, 0.5)
     return x
+
+
+def _long(ways: Floats, lengths: Floats) -> Floats:
+    """Ways, (m, n), brought to lengths, (m,)."""
+    own = np.maximum(np.linalg.norm(ways, axis=1), 1e-300)
+    return np.asarray((lengths / own)[:, None] * ways)
 
 
 def _polished(surface: _Surface, objective: Objective, x: Floats) -> Maximum:
@@ -219,7 +234,7 @@ def _polished(surface: _Surface, objective: Objective, x: Floats) -> Maximum:
         gained = False
         for part in (1.0, 0.25, 0.05):
             there = np.clip(x + part * step, surface.low, surface.high)
-            trial, off = surface.brought(there[None], 2 * STEPS_BACK)
+            trial, off = surface.brought(there[None], 2 * STEPS_BACK, ~free)
             reached = float(one.values(surface.seen(trial)[0])[0])
             if off[0] <= HOLDS and reached > value:
                 x, value, gained = trial[0], reached, True

@@ -95,6 +95,30 @@ def test_conditions_are_seen_from_the_world():
     assert radii(there) == pytest.approx(radii(here), abs=1e-9)
 
 
+def test_slides_at_their_ends_in_an_oblique_plane():
+    """Joint 1 turns the others into the plane if any place at their height and distance lies in it."""
+    rows = [
+        ("revolute", RIGHT, 0.0, 0.0, 0.0),
+        ("prismatic", RIGHT, 0.5, 0.0, RIGHT),
+        ("revolute", -0.38, 0.0, 0.0, 0.0),
+        ("prismatic", 0.0, 0.3, 0.0, 0.0),
+    ]
+    table, limits = numeric(Convention.STANDARD, *rows), [None, (-0.26, 0.13), None, (0.5, 0.71)]
+    point, normal = np.array((0.42, -0.27, 0.89)), np.array((-0.83, -0.07, 0.55))
+    slides = np.array([(a, b) for a in np.linspace(-0.26, 0.13, 5) for b in np.linspace(0.5, 0.71, 5)])
+    turns = np.linspace(-math.pi, math.pi, 721)
+    q = np.array([(0.0, a, turn, b) for a, b in slides for turn in turns])
+    places = end_poses(table, q)[:, :3, 3]
+    from_axis = np.hypot(places[:, 0], places[:, 1])
+    height = abs(normal @ point - normal[2] * places[:, 2])
+    reaching = math.hypot(normal[0], normal[1]) * from_axis >= height
+    found = workspace(table, limits, plane=(point, normal))
+    assert found.outer.axis.value >= from_axis[reaching].max()
+    assert found.outer.origin.value >= np.linalg.norm(places[reaching], axis=1).max()
+    assert found.inner.axis.value <= from_axis[reaching].min()
+    assert found.inner.origin.value <= np.linalg.norm(places[reaching], axis=1).min()
+
+
 @pytest.mark.parametrize("robot_id", ["rx90", "irb140", "scara", "ur5"])
 def test_no_sample_in_the_plane_lies_outside(robot_id):
     table = numbers(robot_id)
