@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import TypeAlias
 
 import numpy as np
 
@@ -19,6 +20,9 @@ from kinematics.inverse.self_motions.isolation import LONG, fold_length, lost_va
 from kinematics.inverse.self_motions.membership import Component, Membership
 from kinematics.inverse.self_motions.paths import path_through
 from kinematics.inverse.self_motions.weights import follower_at, weighed_otherwise
+
+_Start: TypeAlias = tuple[Array, Array]
+"""A configuration from which a path is to be followed, in units, and the direction."""
 
 GAP = 4.0 / LONG
 """Tolerances by which the pose may be off in a gap between pieces of a family: an error that grows from zero
@@ -232,22 +236,34 @@ class _Sorter:
         for path in found:
             if self.follower.is_spent:
                 return found
-            for x, way in branches(self.follower, path, self.long, self.lost):
-                if any(is_beside(self.follower, one, x, BESIDE_A_BRANCH * self.long) for one in found):
-                    continue
-                if any(self.members.within(one, x * self.arm.units) for one in surfaces):
-                    continue
+            starts = self._elsewhere([*branches(self.follower, path, self.long, self.lost)], found, surfaces)
+            while starts:
+                (x, way), *starts = starts
                 directions = self._on_a_surface(x, fewer=self.arm.n_joints)
                 surface = self._wide_surface(x, directions) if directions else None
                 if surface is not None:
                     surfaces.append(surface)
+                    starts = self._elsewhere(starts, (), (surface,))
                     continue
                 branch = path_through(self.follower, x, way)
                 if self._is_long(branch):
                     found.append(branch)
+                    starts = self._elsewhere(starts, (branch,), ())
                 if len(found) + len(surfaces) >= self.most:
                     return found
         return found
+
+    def _elsewhere(
+        self, starts: list[_Start], paths: Sequence[FamilyPath], surfaces: Sequence[Component]
+    ) -> list[_Start]:
+        """Those of some starts that are neither beside paths nor on surfaces, all asked together."""
+        near = BESIDE_A_BRANCH * self.long
+        left = [one for one in starts if not any(is_beside(self.follower, p, one[0], near) for p in paths)]
+        for surface in surfaces:
+            if left:
+                inside = self.members.within_each(surface, np.array([x for x, _ in left]) * self.arm.units)
+                left = [one for one, within in zip(left, inside.tolist(), strict=True) if not within]
+        return left
 
     def _is_long(self, path: FamilyPath) -> bool:
         """Whether a path leads farther than across a fold."""

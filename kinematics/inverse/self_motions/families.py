@@ -34,7 +34,7 @@ TOGETHER = 1e-12
 AT_REST = 1e-3
 """Parts of a direction up to this [rad, or parts of the size] leave a joint at rest."""
 
-MOST_CORRECTIONS = 2500
+MOST_CORRECTIONS = 2600
 """Corrections after which a target's families are followed no further; the longest paths take 800 more. A
 PUMA with its arm stretched and its wrist in line takes 95, eight families of seven joints up to this many."""
 

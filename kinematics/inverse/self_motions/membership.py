@@ -14,7 +14,7 @@ from kinematics.inverse.distinct import SAME, differences, shorter_way
 from kinematics.inverse.residuals import are_solutions
 from kinematics.inverse.self_motions.families import FamilyPath, Follower, nearest_on
 from kinematics.inverse.self_motions.isolation import ACROSS_A_FOLD, fold_length, lost_value
-from kinematics.inverse.self_motions.walks import leads
+from kinematics.inverse.self_motions.walks import lead_to_one
 
 BESIDE = 1e-3
 """A solution this near to a path [rad, or parts of the size], or within twenty tolerances of it, is on it."""
@@ -59,7 +59,7 @@ class Membership:
 
     def within(self, component: Component, q: Array) -> bool:
         """Return whether a solution belongs to a component."""
-        return bool(self._within_each(component, q[None])[0])
+        return bool(self.within_each(component, q[None])[0])
 
     def is_part(self, family: Component, other: Component) -> bool:
         """Return whether the paths of a family lie on those of another, as far as some of their points tell.
@@ -76,7 +76,7 @@ class Membership:
         """Return those of (m, n) solutions that belong to none of the components."""
         left = joints
         for one in components:
-            inside = self._within_each(one, left) if len(left) else np.empty(0, dtype=bool)
+            inside = self.within_each(one, left) if len(left) else np.empty(0, dtype=bool)
             new, left = left[inside], left[~inside]
             while one.dimension > 1 and len(new) and len(left):
                 inside = self._led(left, self._nearest(new, left))
@@ -89,7 +89,7 @@ class Membership:
         nearest = np.argsort(apart, axis=1, kind="stable")[:, :NEAREST].T
         return np.asarray(members[nearest] / self._arm.units)
 
-    def _within_each(self, component: Component, joints: Array) -> NDArray[np.bool_]:
+    def within_each(self, component: Component, joints: Array) -> NDArray[np.bool_]:
         """Which of some solutions, (m, n), belong to a component."""
         apart = differences(joints, component.joints, self._arm)
         farthest = np.abs(apart).max(axis=1)
@@ -155,9 +155,7 @@ class Membership:
         """Which of (m, n) solutions steps in the null space lead from, to one of (k, m, n) places."""
         if self._follower.is_spent:
             return np.zeros(len(joints), dtype=bool)
-        x = np.tile(joints / self._arm.units, (len(places), 1))
-        arrived = leads(self._follower, x, places.reshape(x.shape), self._lost)
-        return np.asarray(arrived.reshape(places.shape[:2]).any(axis=0))
+        return lead_to_one(self._follower, joints / self._arm.units, places, self._lost)
 
     def _on(self, path: FamilyPath, joints: Array) -> NDArray[np.bool_]:
         """Which of (m, n) solutions are on a path: their nearest chords, corrected, lead to them."""

@@ -40,6 +40,37 @@ def leads(follower: Follower, starts: Array, ends: Array, lost: float) -> NDArra
         ends: (m, n) the others.
         lost: singular values up to this are zero.
     """
+    arrived, taken = _walked(follower, starts, ends, lost)
+    if arrived.any() and not follower.arm.redundancy:
+        arrived[_jumped(follower, taken, arrived)] = False
+    return arrived
+
+
+def lead_to_one(follower: Follower, starts: Array, places: Array, lost: float) -> NDArray[np.bool_]:
+    """Return whether such steps lead from solutions, (m, n), to one of their places each, (k, m, n).
+
+    Of the walks that arrive from a solution one after another is asked for jumps, until one has none.
+    """
+    tiled = np.tile(starts, (len(places), 1))
+    walked, taken = _walked(follower, tiled, places.reshape(tiled.shape), lost)
+    arrived = walked.reshape(places.shape[:2])
+    if follower.arm.redundancy:
+        return np.asarray(arrived.any(axis=0))
+    found = np.zeros(len(starts), dtype=bool)
+    while arrived.any():
+        asked = arrived & (arrived.cumsum(axis=0) == 1)
+        sound = asked.ravel()
+        arrived &= ~asked
+        sound[_jumped(follower, taken, sound)] = False
+        found |= asked.any(axis=0)
+        arrived &= ~found
+    return found
+
+
+def _walked(
+    follower: Follower, starts: Array, ends: Array, lost: float
+) -> tuple[NDArray[np.bool_], list[_Steps]]:
+    """Which walks arrive; and their steps, unless joints are redundant: some may have jumped."""
     arrived = np.zeros(len(starts), dtype=bool)
     x, longest, going = starts.copy(), np.full(len(starts), WALK), np.arange(len(starts))
     taken: list[_Steps] = []
@@ -74,9 +105,7 @@ def leads(follower: Follower, starts: Array, ends: Array, lost: float) -> NDArra
         x[going[moved]] = there[moved]
         longest[going] = np.where(moved, np.minimum(2.0 * step, WALK), 0.5 * step)
         going = going[longest[going] >= SHORTEST_WALK]
-    if arrived.any() and not follower.arm.redundancy:
-        arrived[_jumped(follower, taken, arrived)] = False
-    return arrived
+    return arrived, taken
 
 
 class _Steps(NamedTuple):

@@ -8,7 +8,7 @@ from kinematics.inverse import ArmReach, newton, solver_of
 from kinematics.inverse.goals import read_goal
 from kinematics.inverse.results import Isolation, UnreachableReason
 from kinematics.inverse.search import MOST_STARTS
-from kinematics.inverse.self_motions import corrections, families, paths, walks
+from kinematics.inverse.self_motions import corrections, families, membership, paths, walks
 from kinematics.inverse.self_motions.families import Follower, null_space
 from kinematics.inverse.self_motions.membership import Component, Membership
 from kinematics.inverse.self_motions.paths import path_through
@@ -153,6 +153,51 @@ def test_corrections_of_a_bent_path_start_where_it_bends(monkeypatch):
     _, _, path = followed()
     assert len(path.points) > 50
     assert len(calls) <= 3.6 * len(steps)
+
+
+def test_what_misses_a_rounded_target_is_not_corrected_on(monkeypatch):
+    """The slide of a Stanford arm all but drawn in, its pose known to 1e-4: what is missed by stays."""
+    calls = []
+    evaluate = corrections.errors_and_jacobians
+
+    def evaluated(arm, x, target):
+        calls.append(len(x))
+        return evaluate(arm, x, target)
+
+    monkeypatch.setattr(corrections, "errors_and_jacobians", evaluated)
+    corrected = counted(monkeypatch)
+    table = MODELS["catalogue stanford"]
+    q = [-0.76087301, 0.43248765, -0.014916628, 0.135530992, 2.471018047, 2.20923204]
+    solver_of(table).solve(end_pose(table, q).round(4), 1e-4)
+    assert len(corrected) > 200
+    assert len(calls) <= 4.5 * len(corrected)
+
+
+def test_of_walks_from_a_solution_one_is_asked_for_jumps(monkeypatch):
+    """An RX-90 folded: all solutions are on one surface, which many ways lead to."""
+    table = MODELS["catalogue rx90"]
+    calls = counted(monkeypatch)
+    q = [0.0, -np.pi / 2, np.pi / 2, -0.429484488, -1.074380541, np.pi / 2]
+    (only,) = solver_of(table).solve(end_pose(table, q)).solutions
+    assert only.family.dimension == 2
+    assert sum(calls) <= 9000
+
+
+def test_branches_of_a_path_are_looked_for_on_a_surface_together(monkeypatch):
+    """An RX-90 folded but for 1e-8 rad, its wrist as near to its line: surfaces with many branches."""
+    asked = []
+    walk = membership.lead_to_one
+
+    def walked(follower, starts, places, lost):
+        asked.append(len(starts))
+        return walk(follower, starts, places, lost)
+
+    monkeypatch.setattr(membership, "lead_to_one", walked)
+    table = MODELS["catalogue rx90"]
+    q = [-1.570796301, -4.4e-08, 1.570796317, -3.091523851, 4.5e-08, 2.160522926]
+    assert solver_of(table).solve(end_pose(table, q)).solutions
+    assert len(asked) <= 25
+    assert max(asked) > 1
 
 
 def test_what_has_arrived_is_not_polished_on(monkeypatch):
