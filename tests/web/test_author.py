@@ -306,6 +306,12 @@ def test_a_draft_that_somebody_shared_replaces_ones_own_in_a_step(open_page: Ope
     expect(title).to_have_value("One's own")
 
 
+def test_values_are_written_as_students_will_read_them(open_page: OpenPage) -> None:
+    """The preview had a decimal point in every language."""
+    page = open_page("/author", lang="fr", before=kept)
+    expect(page.locator("#author-dimensions li").first).to_have_text(re.compile(r"= \d+,\d+ m$"))
+
+
 def test_undo_takes_back_and_redo_brings_again(open_page: OpenPage) -> None:
     page = open_page("/author", before=kept)
     points = page.locator("[data-path='definition/parts/0/points']")

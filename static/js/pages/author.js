@@ -12,7 +12,7 @@ import { textsSection } from "../author/texts.js";
 import { asStudent, rightAnswers, SelfTest, wrongAnswers } from "../author/trials.js";
 import { announce, debounced, el, fill, iconButton, variable } from "../dom.js";
 import { named, t } from "../i18n.js";
-import { plain } from "../numbers.js";
+import { inSentence } from "../numbers.js";
 import { api, forgetFragment, startPage } from "../page.js";
 import { problemNotice } from "../problem.js";
 import { openSession } from "../session/course-session.js";
@@ -194,7 +194,7 @@ function showFigure({ figure, exercise }) {
   fill(
     $("author-dimensions"),
     exercise.dimensions.map((/** @type {any} */ { name, value, unit }) =>
-      el("li", {}, variable(name), ` = ${plain(value, 6)} ${unit}`),
+      el("li", {}, variable(name), ` = ${inSentence(value, 6)} ${unit}`),
     ),
   );
 }
