@@ -14,7 +14,8 @@ class Credit(StrEnum):
     """What the points of a part rest on.
 
     KEY: the answer is right for the robot.
-    OWN_TABLE: it is not, or may not be, but it follows from the student's own table; an error costs points once.
+    OWN_TABLE: it is not, or may not be, but it follows from the student's own table, so that an error costs
+        points once.
     NONE: neither.
     """
 
