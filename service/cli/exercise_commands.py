@@ -59,10 +59,12 @@ def add(subparsers: Subparsers) -> None:
 
 def _list(options: argparse.Namespace) -> None:
     library = _library()
-    for exercise_id in library.ids:
-        found = library.exercise(exercise_id)
-        parts = ", ".join(part.kind for part in found.parts)
-        sys.stdout.write(f"{exercise_id:12} {found.title(options.lang):32} {parts}\n")
+    found = [library.exercise(exercise_id) for exercise_id in library.ids]
+    names = max(map(len, library.ids))
+    titles = max(len(exercise.title(options.lang)) for exercise in found)
+    for exercise in found:
+        parts = ", ".join(part.kind for part in exercise.parts)
+        sys.stdout.write(f"{exercise.id:{names}} {exercise.title(options.lang):{titles}} {parts}\n")
 
 
 def _check(options: argparse.Namespace) -> int:

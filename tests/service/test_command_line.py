@@ -18,6 +18,7 @@ from service import __version__
 from service.cli.commands import COMMANDS, main
 from service.receipts.keys import read_keys
 from service.receipts.receipt import issue
+from tests.exercises.packaged import exercise
 from tests.service.adapters.test_receipts import RECEIPT
 
 RIGHT = "theta,d,a,alpha\nq1,0,L1,0\nq2,0,L2,0\n"
@@ -275,6 +276,17 @@ def test_no_more_variants_are_prepared_than_are_shared_out(capsys: pytest.Captur
     with pytest.raises(SystemExit):
         main(["warm", "twolink", "--variants", "1001"])
     assert "at most 1000 variants" in capsys.readouterr().err
+
+
+def test_the_list_of_exercises_has_columns(capsys: pytest.CaptureFixture[str]) -> None:
+    """Ids and titles longer than foreseen moved what stood behind them."""
+    main(["exercises", "list"])
+    lines = capsys.readouterr().out.splitlines()
+    ids = [line.split()[0] for line in lines]
+    begins = {
+        line.index(exercise(each).title("en"), len(each)) for line, each in zip(lines, ids, strict=True)
+    }
+    assert len(begins) == 1
 
 
 def test_a_reader_that_has_had_enough_is_no_error() -> None:
