@@ -118,17 +118,21 @@ def feedback_of(
     level: HelpLevel,
 ) -> tuple[Feedback, ...]:
     """Return what to tell of a wrong answer, as far as the help level goes."""
-    found: list[Feedback] = []
-    if not decision.same_robot:
-        found.append(Feedback(code="not_equivalent"))
-    else:
-        found.append(Feedback(code="right_robot" if level.includes(HelpLevel.ROW) else "not_accepted"))
+    imprecise = not told.changes and lacks_precision(decision)
+    found = [Feedback(code=_headline(decision, imprecise, level))]
     found += _about_the_whole(decision, key, table, policy, level)
-    if not told.changes and level.includes(HelpLevel.ROW) and lacks_precision(decision):
+    if imprecise and level.includes(HelpLevel.ROW):
         found.append(Feedback(code="entries_imprecise"))
     if level.includes(HelpLevel.ROW):
         found += _in_place(wrong, told, table, level)
     return tuple(found)
+
+
+def _headline(decision: Decision, imprecise: bool, level: HelpLevel) -> str:
+    """The code of the first sentence: of too few digits nobody can say that they mean another robot."""
+    if not decision.same_robot:
+        return "not_accepted" if imprecise else "not_equivalent"
+    return "right_robot" if level.includes(HelpLevel.ROW) else "not_accepted"
 
 
 def _in_place(

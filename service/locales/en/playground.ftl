@@ -196,4 +196,5 @@ playground-more-compare-hint = Keep a table, then change it or choose another: w
 playground-compare-keep = Keep this table to compare
 playground-compare-same = The two tables describe the same robot.
 playground-compare-different = The two tables describe different robots.
+playground-compare-imprecise = Both tables may describe the same robot, but one of them has too few digits to say so.
 playground-compare-names = The two tables have different values for { $names }: rename them in one of the tables.

@@ -196,4 +196,5 @@ playground-more-compare-hint = Guarde una tabla; luego cÃ¡mbiela o elija otra: Â
 playground-compare-keep = Guardar esta tabla para comparar
 playground-compare-same = Las dos tablas describen el mismo robot.
 playground-compare-different = Las dos tablas describen robots distintos.
+playground-compare-imprecise = Puede que las dos tablas describan el mismo robot, pero una de ellas tiene demasiado pocas cifras para decirlo.
 playground-compare-names = Las dos tablas dan valores distintos a { $names }: cambie esos nombres en una de ellas.

@@ -196,4 +196,5 @@ playground-more-compare-hint = Gardez un tableau, puis changez-le ou choisissez-
 playground-compare-keep = Garder ce tableau pour comparer
 playground-compare-same = Les deux tableaux décrivent le même robot.
 playground-compare-different = Les deux tableaux décrivent des robots différents.
+playground-compare-imprecise = Les deux tableaux décrivent peut-être le même robot, mais l’un d’eux a trop peu de chiffres pour le dire.
 playground-compare-names = Les deux tableaux donnent des valeurs différentes à { $names } : changez ces noms dans l’un d’eux.

@@ -196,4 +196,5 @@ playground-more-compare-hint = Guarde uma tabela; depois altere-a ou escolha out
 playground-compare-keep = Guardar esta tabela para comparar
 playground-compare-same = As duas tabelas descrevem o mesmo robô.
 playground-compare-different = As duas tabelas descrevem robôs diferentes.
+playground-compare-imprecise = As duas tabelas talvez descrevam o mesmo robô, mas uma delas tem algarismos a menos para o dizer.
 playground-compare-names = As duas tabelas dão valores diferentes a { $names }: mude esses nomes numa delas.

@@ -202,4 +202,5 @@ playground-more-compare-hint = Păstrați un tabel, apoi schimbați-l sau alege�
 playground-compare-keep = Păstrează acest tabel pentru comparație
 playground-compare-same = Cele două tabele descriu același robot.
 playground-compare-different = Cele două tabele descriu roboți diferiți.
+playground-compare-imprecise = Cele două tabele descriu poate același robot, dar unul dintre ele are prea puține cifre pentru a o spune.
 playground-compare-names = Cele două tabele au valori diferite pentru { $names }: schimbați aceste nume într-unul dintre ele.

@@ -203,4 +203,5 @@ playground-more-compare-hint = Збережіть таблицю, потім з�
 playground-compare-keep = Зберегти цю таблицю для порівняння
 playground-compare-same = Обидві таблиці описують того самого робота.
 playground-compare-different = Таблиці описують різних роботів.
+playground-compare-imprecise = Обидві таблиці, можливо, описують того самого робота, але в одній із них замало знаків, щоб це стверджувати.
 playground-compare-names = У двох таблиць різні значення { $names }: перейменуйте їх в одній із них.

@@ -302,9 +302,9 @@ function same(kept, present) {
 
 /** @param {any} answer */
 function compared({ same, feedback }) {
-  const sentences = feedback.map((/** @type {any} */ { message }) => el("li", { text: message }));
-  return [
-    el("p", { text: t(same ? "playground-compare-same" : "playground-compare-different") }),
-    el("ul", { class: "plain-list" }, sentences),
-  ];
+  const imprecise = feedback.some((/** @type {any} */ { code }) => code === "entries_imprecise");
+  const told = imprecise ? feedback.slice(1) : feedback;
+  const sentences = told.map((/** @type {any} */ { message }) => el("li", { text: message }));
+  const verdict = same ? "same" : imprecise ? "imprecise" : "different";
+  return [el("p", { text: t(`playground-compare-${verdict}`) }), el("ul", { class: "plain-list" }, sentences)];
 }

@@ -60,7 +60,7 @@ def _codes(verdict: Verdict) -> list[str]:
 def test_a_length_of_too_few_digits_is_said_to_be_that(lengths: Lengths, policy: Policy) -> None:
     verdict = grade(_puma(NAMES), _puma(lengths), policy, VALUES)
     assert not verdict.correct
-    assert _codes(verdict) == ["not_equivalent", "entries_imprecise"]
+    assert _codes(verdict) == ["not_accepted", "entries_imprecise"]
     assert verdict.repairs == ()
 
 
@@ -79,7 +79,7 @@ def test_too_few_digits_cost_less_than_a_wrong_length(make: Any, policy: Policy)
 
 def test_in_other_frames_too() -> None:
     verdict = grade(_puma(NAMES), _craig((0.4, 0.02, 0.2, 0.4)), FREE, VALUES)
-    assert _codes(verdict) == ["not_equivalent", "entries_imprecise"]
+    assert _codes(verdict) == ["not_accepted", "entries_imprecise"]
 
 
 @pytest.mark.parametrize(

@@ -171,7 +171,7 @@ def test_an_angle_too_coarse_for_the_tolerance_is_said_to_be_that() -> None:
     strict = replace(USUAL, tolerance=replace(USUAL.tolerance, angle=1e-4, length=1e-4))
     coarse: Rows = [(1.57 if row[0] == "pi/2" else row[0], *row[1:]) for row in PUMA]
     verdict = grade(KEY, read("standard", coarse), strict, VALUES)
-    assert codes(verdict) == ["not_equivalent", "entries_imprecise"]
+    assert codes(verdict) == ["not_accepted", "entries_imprecise"]
     assert verdict.repairs == ()
 
 
