@@ -48,6 +48,11 @@ class Platform:
     names_shared: bool = False
     status: PlatformStatus = PlatformStatus.PENDING
 
+    @property
+    def called(self) -> tuple[str, str]:
+        """The addresses at which the service calls it; browsers go to the others."""
+        return self.token_endpoint, self.jwks_uri
+
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Registration:

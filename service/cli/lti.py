@@ -21,8 +21,9 @@ from courses.people.platforms import (
 from service.cli.backups import opened_store
 from service.cli.environment import Subparsers, count, settings_of_environment
 from service.course_resources import CourseResources, now
-from service.lti.fetching import http_address, origin_of
+from service.lti.fetching import Fetcher, http_address, origin_of
 from service.lti.signing_keys import key_set
+from service.messages import sentence
 
 _ADDRESSES = ("authorization_endpoint", "token_endpoint", "jwks_uri")
 
@@ -124,6 +125,9 @@ def _add(options: argparse.Namespace) -> None:
     with opened_store() as store:
         stored = add_platform(store, asked, tuple(options.deployment), now())
     sys.stdout.write(f"{stored.id}\n")
+    fetcher = Fetcher(frozenset(settings_of_environment().lti_trusted_origins))
+    for address in filter(fetcher.refuses, stored.called):
+        sys.stderr.write(f"{sentence(options.lang, 'platforms-not-fetched', {'address': address})}\n")
 
 
 def _list(_: argparse.Namespace) -> None:

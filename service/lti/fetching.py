@@ -168,6 +168,21 @@ class Fetcher:
         answer = self.send("GET", address).succeeded()
         return answer.json(), answer
 
+    def refuses(self, address: str) -> bool:
+        """Return whether an address is never fetched, as it is written; names are not looked up."""
+        try:
+            host = urlsplit(address).hostname or ""
+            if origin_of(address) in self._trusted:
+                return False
+        except ValueError:
+            return True
+        if not address.startswith("https:") or host == "localhost":
+            return True
+        try:
+            return not _is_public(ipaddress.ip_address(host))
+        except ValueError:
+            return False
+
     def _checked(self, address: str) -> "tuple[httpx.URL, dict[str, Any], str]":
         """The address to connect to, with the host's name for TLS, and the Host field."""
         import httpx

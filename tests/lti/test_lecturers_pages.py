@@ -60,6 +60,21 @@ def test_attempts_left_open_are_those_of_the_exercise(page: Page, lms: Lms, serv
     expect(field).to_have_attribute("placeholder", "as the exercise says")
 
 
+def test_a_closing_time_in_the_past_is_told_where_it_is_set(page: Page, lms: Lms, service: str) -> None:
+    """Exercises stand in the order of their titles; it was that of their ids, which nobody sees."""
+    page.goto(f"{lms.root}/start?user=tina&hint={hint([TEACHER], resource='past', deep=True)}")
+    page.wait_for_url("**/lti/choose*")
+    wait_ready(page)
+    titles = page.get_by_label("Exercise", exact=True).locator("option").all_inner_texts()
+    assert titles == sorted(titles, key=str.casefold)
+    told = page.locator("form").get_by_text("This time has passed")
+    closes = page.locator("input[name=closes]")
+    for time, is_past in (("2099-01-01T12:00", False), ("2020-01-01T12:00", True), ("", False)):
+        closes.fill(time)
+        closes.blur()
+        expect(told).to_be_visible(visible=is_past)
+
+
 def test_the_class_its_numbers_and_an_attempt(
     page: Page,
     browser: Browser,
@@ -238,6 +253,15 @@ def test_the_administrators_page(
     page.get_by_label("For whom").fill("Faculty")
     page.get_by_role("button", name="Make an address").click()
     expect(page.locator("#invite code")).to_contain_text("/lti/register/")
+    expect(page.locator("#list")).not_to_contain_text("will not call")
+    form = page.locator("#add form")
+    for name in ("issuer", "authorization_endpoint", "token_endpoint", "jwks_uri"):
+        scheme = "http" if name == "jwks_uri" else "https"
+        form.locator(f"[name={name}]").fill(f"{scheme}://lms.example.edu/{name}")
+    form.locator("[name=client_id]").fill("client")
+    form.get_by_role("button", name="Register").click()
+    expect(page.locator("#list")).to_contain_text("will not call http://lms.example.edu/jwks_uri")
+    expect(page.locator("#list")).not_to_contain_text("will not call https")
     assert_fits(page)
     page.goto(f"{service}/platforms#code={code}")
     expect(page.locator("#platforms-problem")).to_contain_text("used already")

@@ -53,6 +53,38 @@ def test_what_is_typed_as_it_should_be_is_stored(folder: Path) -> None:
 
 
 @pytest.mark.parametrize(
+    ("address", "trusted", "is_told"),
+    [
+        ("https://lms.example.edu/keys", "", False),
+        ("https://8.8.8.8/keys", "", False),
+        ("http://lms.example.edu/keys", "", True),
+        ("http://lms.example.edu/keys", "http://lms.example.edu", False),
+        ("https://127.0.0.1/keys", "", True),
+        ("https://localhost:8443/keys", "", True),
+        ("https://localhost:8443/keys", "https://localhost:8443", False),
+    ],
+)
+@pytest.mark.parametrize("name", ["--token-endpoint", "--jwks-uri"])
+def test_an_address_that_the_service_will_never_call_is_told(
+    address: str,
+    trusted: str,
+    is_told: bool,
+    name: str,
+    folder: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Whoever registered it learned that at the first launch."""
+    monkeypatch.setenv("FRAMEWISE_LTI_TRUSTED_ORIGINS", trusted)
+    whole = {**WHOLE, "--token-endpoint": f"{ROOT}/token", "--jwks-uri": f"{ROOT}/jwks"}
+    assert added({**whole, name: address}) == 0
+    told = capsys.readouterr()
+    assert told.out == "1\n"
+    assert told.err.count("The service will not call") == is_told
+    assert (f"will not call {address}:" in told.err) == is_told
+
+
+@pytest.mark.parametrize(
     ("name", "value"),
     [
         ("issuer", "nonsense"),

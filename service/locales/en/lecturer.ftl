@@ -62,6 +62,7 @@ lecturer-counting-first = the first
 lecturer-penalty = Deducted for each earlier attempt, as a share (0–1)
 lecturer-opens = Opens
 lecturer-closes = Closes
+lecturer-closes-past = This time has passed: nothing can be handed in any more.
 lecturer-mode = Mode
 lecturer-mode-practice = practice
 lecturer-mode-exam = exam

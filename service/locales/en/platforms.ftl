@@ -22,6 +22,7 @@ platforms-activate = Activate
 platforms-disable = Switch off
 platforms-remove = Remove
 platforms-remove-sure = Remove { $issuer }? All its courses, attempts and grades are lost.
+platforms-not-fetched = The service will not call { $address }: it calls public https addresses only, and those whose origin stands in FRAMEWISE_LTI_TRUSTED_ORIGINS.
 platforms-saved = Saved.
 platforms-invite = Invite a platform to register itself
 platforms-invite-text = The address works once, within a week. A platform that registers with it waits here until you activate it.

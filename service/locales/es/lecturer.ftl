@@ -62,6 +62,7 @@ lecturer-counting-first = el primero
 lecturer-penalty = Descuento por cada intento anterior, como fracción (0–1)
 lecturer-opens = Se abre
 lecturer-closes = Se cierra
+lecturer-closes-past = Este momento ya ha pasado: ya no se puede entregar nada.
 lecturer-mode = Modo
 lecturer-mode-practice = práctica
 lecturer-mode-exam = examen

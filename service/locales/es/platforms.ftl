@@ -22,6 +22,7 @@ platforms-activate = Activar
 platforms-disable = Desactivar
 platforms-remove = Eliminar
 platforms-remove-sure = ¿Eliminar { $issuer }? Se pierden todos sus cursos, intentos y calificaciones.
+platforms-not-fetched = El servicio no llamará a { $address }: solo llama a direcciones https públicas y a aquellas cuyo origen figura en FRAMEWISE_LTI_TRUSTED_ORIGINS.
 platforms-saved = Guardado.
 platforms-invite = Invitar a una plataforma a registrarse
 platforms-invite-text = La dirección funciona una sola vez, durante una semana. La plataforma que se registre con ella espera aquí hasta que usted la active.

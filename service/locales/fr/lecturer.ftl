@@ -62,6 +62,7 @@ lecturer-counting-first = le premier
 lecturer-penalty = Retranché pour chaque essai précédent, en fraction (0–1)
 lecturer-opens = Ouverture
 lecturer-closes = Fermeture
+lecturer-closes-past = Ce moment est déjà passé : plus rien ne peut être rendu.
 lecturer-mode = Mode
 lecturer-mode-practice = entraînement
 lecturer-mode-exam = examen

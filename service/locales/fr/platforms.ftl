@@ -22,6 +22,7 @@ platforms-activate = Activer
 platforms-disable = Désactiver
 platforms-remove = Supprimer
 platforms-remove-sure = Supprimer { $issuer } ? Tous ses cours, essais et notes seront perdus.
+platforms-not-fetched = Le service n’appellera pas { $address } : il n’appelle que des adresses https publiques et celles dont l’origine figure dans FRAMEWISE_LTI_TRUSTED_ORIGINS.
 platforms-saved = Enregistré.
 platforms-invite = Inviter une plateforme à s’enregistrer
 platforms-invite-text = L’adresse fonctionne une seule fois, pendant une semaine. La plateforme qui s’enregistre ainsi attend ici que vous l’activiez.

@@ -62,6 +62,7 @@ lecturer-counting-first = a primeira
 lecturer-penalty = Desconto por cada tentativa anterior, como fração (0–1)
 lecturer-opens = Abre
 lecturer-closes = Fecha
+lecturer-closes-past = Este momento já passou: já nada pode ser entregue.
 lecturer-mode = Modo
 lecturer-mode-practice = prática
 lecturer-mode-exam = exame

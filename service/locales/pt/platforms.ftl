@@ -22,6 +22,7 @@ platforms-activate = Ativar
 platforms-disable = Desligar
 platforms-remove = Remover
 platforms-remove-sure = Remover { $issuer }? Perdem-se todas as suas disciplinas, tentativas e classificações.
+platforms-not-fetched = O serviço não vai chamar { $address }: chama apenas endereços https públicos e aqueles cuja origem consta em FRAMEWISE_LTI_TRUSTED_ORIGINS.
 platforms-saved = Guardado.
 platforms-invite = Convidar uma plataforma a registar-se
 platforms-invite-text = O endereço funciona uma só vez, no prazo de uma semana. A plataforma que se registar com ele espera aqui até que a ative.

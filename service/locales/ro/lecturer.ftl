@@ -63,6 +63,7 @@ lecturer-counting-first = prima
 lecturer-penalty = Scădere pentru fiecare încercare anterioară, ca fracție (0–1)
 lecturer-opens = Se deschide
 lecturer-closes = Se închide
+lecturer-closes-past = Acest moment a trecut: nu se mai poate preda nimic.
 lecturer-mode = Mod
 lecturer-mode-practice = exersare
 lecturer-mode-exam = examen

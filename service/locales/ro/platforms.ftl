@@ -22,6 +22,7 @@ platforms-activate = Activează
 platforms-disable = Oprește
 platforms-remove = Șterge
 platforms-remove-sure = Ștergeți { $issuer }? Toate cursurile, încercările și notele ei se pierd.
+platforms-not-fetched = Serviciul nu va apela { $address }: apelează numai adrese https publice și pe cele a căror origine figurează în FRAMEWISE_LTI_TRUSTED_ORIGINS.
 platforms-saved = Salvat.
 platforms-invite = Invită o platformă să se înregistreze
 platforms-invite-text = Adresa funcționează o singură dată, timp de o săptămână. Platforma care se înregistrează cu ea așteaptă aici până când o activați.

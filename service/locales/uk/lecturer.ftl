@@ -63,6 +63,7 @@ lecturer-counting-first = перша
 lecturer-penalty = Віднімається за кожну попередню спробу, частка (0–1)
 lecturer-opens = Відкривається
 lecturer-closes = Закривається
+lecturer-closes-past = Цей час уже минув: подати вже нічого не можна.
 lecturer-mode = Режим
 lecturer-mode-practice = тренування
 lecturer-mode-exam = іспит

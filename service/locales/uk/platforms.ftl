@@ -22,6 +22,7 @@ platforms-activate = Активувати
 platforms-disable = Вимкнути
 platforms-remove = Вилучити
 platforms-remove-sure = Вилучити { $issuer }? Усі її курси, спроби й оцінки буде втрачено.
+platforms-not-fetched = Служба не звертатиметься до { $address }: вона звертається лише до загальнодоступних адрес https і до тих, чиє походження (origin) вказано у FRAMEWISE_LTI_TRUSTED_ORIGINS.
 platforms-saved = Збережено.
 platforms-invite = Запросити платформу зареєструватися
 platforms-invite-text = Адреса діє один раз протягом тижня. Платформа, яку за нею зареєстровано, чекає тут, доки ви її активуєте.

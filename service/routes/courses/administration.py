@@ -83,7 +83,12 @@ async def list_platforms(request: ApiRequest) -> Response:
 def _written(courses: CourseResources, platform: Platform) -> dict[str, Any]:
     names = ("id", "issuer", "client_id", "name", "status", "names_shared", "token_audience", *_ADDRESSES)
     told = {name: getattr(platform, name) for name in names}
-    return {**told, "origins": platform.origins, "deployments": deployments_of(courses.store, platform.id)}
+    return {
+        **told,
+        "origins": platform.origins,
+        "deployments": deployments_of(courses.store, platform.id),
+        "not_fetched": list(filter(courses.fetcher.refuses, platform.called)),
+    }
 
 
 @router.post("/administration/platforms")

@@ -1,7 +1,7 @@
 /** The form with which a teacher chooses the exercise of a link and its rules. */
 
-import { el } from "../dom.js";
-import { dates, t } from "../i18n.js";
+import { announce, el } from "../dom.js";
+import { dates, language, t } from "../i18n.js";
 
 /** @type {Record<string, string[]>} */
 const CHOICES = {
@@ -60,12 +60,13 @@ export function settingsForm(exercises, settings, save, action) {
     const step = value.length > 16 ? 1 : 60;
     return field(name, el("input", { type: "datetime-local", name, step, value }), ` (${timeZone()})`);
   };
+  const byTitle = [...exercises].sort((one, other) => one.title.localeCompare(other.title, language));
   const parts = el("fieldset", { class: "wide" });
   const exercise = /** @type {HTMLSelectElement} */ (
     el(
       "select",
       { name: "exercise", required: true, onchange: () => showParts() },
-      exercises.map(({ id, title }) => el("option", { value: id, selected: id === settings.exercise, text: title })),
+      byTitle.map(({ id, title }) => el("option", { value: id, selected: id === settings.exercise, text: title })),
     )
   );
   function showParts() {
@@ -96,6 +97,17 @@ export function settingsForm(exercises, settings, save, action) {
   };
   timing.addEventListener("change", showAfter);
   showAfter();
+  const closes = time("closes");
+  const past = el("p", { class: "notice notice-warn wide", text: t("lecturer-closes-past") });
+  const showPast = () => {
+    const { value } = /** @type {HTMLInputElement} */ (closes.querySelector("input"));
+    past.hidden = !value || new Date(value) > new Date();
+  };
+  closes.addEventListener("change", () => {
+    showPast();
+    if (!past.hidden) announce(past.textContent ?? "");
+  });
+  showPast();
   const form = /** @type {HTMLFormElement} */ (
     el(
       "form",
@@ -112,7 +124,8 @@ export function settingsForm(exercises, settings, save, action) {
       select("counting"),
       number("penalty", { min: 0, max: 1, step: 0.01 }),
       time("opens"),
-      time("closes"),
+      closes,
+      past,
       select("mode"),
       timing,
       after,

@@ -66,7 +66,7 @@ async function refresh() {
 }
 
 /** @param {any} platform */
-function platformRow({ id, issuer, client_id: client, name, status, names_shared: names, deployments }) {
+function platformRow({ id, issuer, client_id: client, name, status, names_shared: names, deployments, not_fetched }) {
   const change = (/** @type {any} */ told) =>
     attempt(async () => {
       await api.put(`administration/platforms/${id}`, told);
@@ -98,7 +98,14 @@ function platformRow({ id, issuer, client_id: client, name, status, names_shared
     el("button", { type: "submit", class: "quiet small", text: t("platforms-add-deployment") }),
   );
   return [
-    el("span", {}, name ? `${name} · ` : "", el("code", { text: issuer }), " · ", el("code", { text: client })),
+    el(
+      "div",
+      {},
+      el("span", {}, name ? `${name} · ` : "", el("code", { text: issuer }), " · ", el("code", { text: client })),
+      not_fetched.map((/** @type {string} */ address) =>
+        el("p", { class: "notice notice-warn", text: t("platforms-not-fetched", { address }) }),
+      ),
+    ),
     t(`platforms-status-${status}`),
     el("div", {}, el("p", { text: deployments.join(", ") || "–" }), more),
     t(`platforms-names-${names ? "yes" : "no"}`),
