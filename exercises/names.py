@@ -40,8 +40,9 @@ def unknown_name(
     close = nearest_name(name, (*known, *exercise.aliases))
     if close is None and name.lower() in ZEROS:
         close = "0"
-    elif close is None and moving and (index := misspelled_index(name)) is not None:
-        close = f"q{index}"
+    elif close is None and moving:
+        index = misspelled_index(name) or 0
+        close = f"q{index}" if 1 <= index <= exercise.reference.table.n_joints else None
     if name.startswith("alpha") and where and where[-1] in ANGLES and _is_length(close, exercise):
         close = None  # no a is taken for the twist of a row
     params: dict[str, ParamValue] = {

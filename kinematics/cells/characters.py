@@ -77,7 +77,7 @@ _CYRILLIC_PI = re.compile("(?<![^\\W\\d_])[пП](?![^\\W_])")
 _CYRILLIC_WORD = re.compile("(?<![^\\W\\d_])[пП][іи](?![^\\W_])")
 """π as it is written on a keyboard without Greek letters: п/2, пі/2."""
 
-_RAISED_POINT = re.compile("(?<![\\w.,])0[\u00b7\u22c5\u2219\u2022][0-9]+")
+_RAISED_POINT = re.compile("(?<![\\w.,])0[\u00b7\u22c5\u2219\u2022] *[0-9]+")
 
 _LOST_POWER = re.compile(r"(?<![\w.^*])([0-9.]+) ?\* ?10([+-])([0-9]{1,2})(?![0-9A-Za-z_.(^*/°])")
 """A power of ten from a PDF that raises nothing: 4×10-1 may be 4×10⁻¹."""
@@ -97,7 +97,8 @@ def translated(text: str) -> str:
     """
     raised = _RAISED_POINT.search(text)
     if raised:  # half of something by hand, and no product that anybody writes
-        raise CellRefusal("number_malformed", column=raised.start() + 1, text=raised.group())
+        text = raised.group().replace(" ", "")
+        raise CellRefusal("number_malformed", column=raised.start() + 1, text=text)
     if minutes := _MINUTES.search(text):
         degrees, *parts = (float(part or 0) for part in minutes.groups())
         decimal = degrees + parts[0] / 60 + parts[1] / 3600

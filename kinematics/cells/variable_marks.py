@@ -1,8 +1,8 @@
 """Marks on joint variables: θ1*, θ1^*, q1(t), theta(1).
 
 An asterisk marks what varies in many textbooks, (t) what depends on time, and programs count with
-parentheses. All of them are the variable itself. An index that is no longer
-lowered stays one. A raised zero or o behind a number is a degree sign.
+parentheses. All of them are the variable itself. An index that is no longer lowered stays one. A raised zero
+or o behind a number is a degree sign.
 """
 
 import re
@@ -16,6 +16,7 @@ _NUMBERLESS = re.compile(r"q|Q|theta|Theta|d")
 _ANGLE_VARIABLE = re.compile(r"(?:q|Q|theta|Theta)[0-9]{0,4}")
 _LETTER = re.compile("[A-DF-WYZa-df-wyz]|" + "|".join(GREEK.values()))
 """Names that a number behind them is an index of, L 1, as a PDF lowers nothing; not in 3 x 4 or 1 e 3."""
+_LOWERED = re.compile("0|[1-9][0-9]?")
 _RAISED_STAR = (("POW", "STAR"), ("POW", "LBRACE", "STAR", "RBRACE"))
 _RAISED_ZERO = (("SUPERSCRIPT",), ("POW", "NUMBER"), ("POW", "LBRACE", "NUMBER", "RBRACE"))
 _CALL = ("LPAR", "NAME", "RPAR")
@@ -52,10 +53,8 @@ def without_marks(tokens: list[Token]) -> list[Token]:
 
 def _unmarked(name: Token, tokens: list[Token], position: int) -> tuple[Token, int]:
     """A name and the position behind its marks."""
-    if _types(tokens, position, 1) == ("NUMBER",) and _LETTER.fullmatch(name):
-        index = tokens[position]
-        if index.isdecimal() and len(index) <= 2:
-            name, position = Token("NAME", f"{name}{index}", column=name.column), position + 1
+    if _LETTER.fullmatch(name) and _is_index(tokens, position):
+        name, position = Token("NAME", f"{name}{tokens[position]}", column=name.column), position + 1
     if _NUMBERLESS.fullmatch(name) and _types(tokens, position, 3) == _INDEX:
         index = tokens[position + 1]
         if index.isdecimal():
@@ -69,6 +68,13 @@ def _unmarked(name: Token, tokens: list[Token], position: int) -> tuple[Token, i
         if _types(tokens, position, len(mark)) == mark:
             return name, position + len(mark)
     return name, position + _is_star_mark(name, tokens, position)
+
+
+def _is_index(tokens: list[Token], position: int) -> bool:
+    """Whether a number behind a letter is its index: D 03 may be an exponent, and L 1/2 half of L."""
+    if _types(tokens, position, 1) != ("NUMBER",) or not _LOWERED.fullmatch(tokens[position]):
+        return False
+    return _types(tokens, position + 1, 2) != ("SLASH", "NUMBER")
 
 
 def _is_star_mark(name: Token, tokens: list[Token], position: int) -> bool:

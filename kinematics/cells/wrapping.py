@@ -8,7 +8,7 @@ as long as it was, so that columns remain those of what was typed.
 import re
 from html import unescape
 
-from kinematics.cells.characters import GREEK
+from kinematics.cells.characters import GREEK, SUBSCRIPTS
 
 _EQUALS = re.compile(r"(\s*)=(?=\s*\S)")
 _FONT = re.compile(
@@ -25,19 +25,22 @@ _STAR_FIRST = re.compile(
     r"(_(?:[0-9]+|\{ *[0-9]+ *\})|[₀-₉]+)"
 )
 _BRACED = re.compile(
-    r"((?:^|[-+*/({\u2212])\s*)\{(\s*\\?[^\W\d_]+\s*(?:_\s*(?:\w+|\{\s*\w+\s*\}))?\s*|\s*[\d.]+\s*(?=\}\s*\^))\}"
-    r"(?![^\W\d_])"
+    r"((?:^|[-+*/({\u2212])\s*)\{"
+    rf"(\s*\\?[^\W\d_]+\s*(?=\}}(?![^\W\d_{''.join(SUBSCRIPTS)}]))"
+    r"|\s*\\?[^\W\d_]+\s*_\s*(?:\w+|\{\s*\w+\s*\})\s*(?=\}(?![^\W_]))"
+    r"|\s*[\d.]+\s*(?=\}\s*\^))\}"
 )
-"""A name, or a number with a power, in braces of its own, as formula editors write it: {\\theta}_1."""
+"""A name, one with its index, or a number with a power, in braces of its own, as formula editors write it:
+{\\theta}_1. A letter behind it is another name's, and a digit behind an index no part of that."""
 _EMPTY_BRACES = re.compile(r"\{\s*\}(?=\s*\^)")
 _DISPLAYED = re.compile(r"(\s*)\\\[(.*)\\\](\s*)", re.DOTALL)
 _SWITCH = re.compile(r"\\(?:it|rm|bf|sf|mit|displaystyle|textstyle)(?![A-Za-z])")
 _ESCAPED_INDEX = re.compile(r"\\(_\w+)")
-_ENTITY = re.compile(r"&(?:#[0-9]{1,6}|#x[0-9A-Fa-f]{1,5}|[A-Za-z]{2,8});")
+_ENTITY = re.compile(r"&(?:#[0-9]{1,6}|#x[0-9A-Fa-f]{1,5}|[A-Za-z]{2,8}[0-9]{0,2});")
 _LOWERED = re.compile(r"<sub>\s*(\w+)\s*</sub>", re.IGNORECASE)
 _ALGEBRA_LETTER = re.compile(r"\\\[(?:Curly|Script)?(Capital)?([A-Z][a-z]+)\]")
 """A letter, or the degree sign, in Mathematica: \\[Theta], \\[CapitalTheta], \\[Degree]."""
-_ALGEBRA_INDEX = re.compile(r"Subscript\[\s*([^\W\d_]+)\s*,\s*(\w+)\s*\]")
+_ALGEBRA_INDEX = re.compile(r"(?<![^\W\d_])Subscript\[\s*([^\W\d_]+)\s*,\s*(\w+)\s*\]")
 _ALGEBRA_CALL = re.compile(r"(?<![^\W_])((?:Arc)?(?:Sin|Cos)|Tan|Sqrt)\[([^\[\]]*)\]")
 """What Mathematica calls: Cos[q1]; its ArcTan takes x before y."""
 _LETTERS = {name: letter for letter, name in GREEK.items()}
@@ -64,7 +67,7 @@ def without_wrapping(text: str) -> str:
     before = ""
     while before != plain:
         before, plain = plain, _FONT.sub(_unwrapped, plain)
-    return plain if plain == text else _SPACING.sub("  ", plain)
+    return _SPACING.sub("  ", plain)
 
 
 def _without_markup(text: str) -> str:

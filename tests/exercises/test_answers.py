@@ -253,7 +253,9 @@ def test_a_sum_of_variables_is_written_out(name: str, meant: str) -> None:
     assert (fault.code, fault.params["sum"]) == ("joint_variable_unknown", meant)
 
 
-@pytest.mark.parametrize(("name", "close"), [("th1", "q1"), ("t_2", "q2"), ("teta3", "q3"), ("z1", "")])
+@pytest.mark.parametrize(
+    ("name", "close"), [("th1", "q1"), ("t_2", "q2"), ("teta3", "q3"), ("th9", ""), ("z1", "")]
+)
 def test_what_means_a_joint_variable_in_a_matrix_is_told_as_it(name: str, close: str) -> None:
     rows = edited(EYE, 0, 3, f"a2*cos({name})")
     with pytest.raises(AnswerError) as error:
