@@ -156,14 +156,6 @@ def test_no_product_is_proposed_where_something_in_parentheses_follows_a_joint_v
     assert faults_of(raw_row(theta=cell)) == [("variable_called", ("rows", 0, "theta"))]
 
 
-@pytest.mark.parametrize(("cell", "rest"), [("q1 (rad)", "q1"), ("90 [deg] + q1", "90 + q1")])
-def test_a_unit_in_brackets_is_told_as_one(cell, rest):
-    with pytest.raises(CellError) as caught:
-        read_cell(cell, ANGLE)
-    (fault,) = caught.value.faults
-    assert (fault.code, fault.params["suggestion"]) == ("unit_in_cell", rest)
-
-
 def test_lengths_n_and_a_may_still_be_divided():
     assert read_cell("L1*n/a", LENGTH) == read_cell("L1*n*(1/a)", LENGTH)
 
