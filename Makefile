@@ -2,6 +2,8 @@
 SHELL := /bin/bash
 PYTHON ?= python3
 PORT ?= 8000
+# Three on two processors: one that waits for a page, a delay or a database leaves none idle. Each takes up to a gigabyte.
+PROCESSES ?= $(shell cat /sys/fs/cgroup/memory.max /proc/meminfo 2> /dev/null | awk '/^[0-9]+$$/ {kB = $$1 / 1024} /^MemTotal/ && !(kB && kB < $$2) {kB = $$2} END {print (kB && kB < 6e6) ? 2 : 3}')
 ENGINE ?= $(if $(shell command -v docker),docker,podman)
 VENV := .venv
 PEERS := .venv-peers
@@ -41,12 +43,11 @@ $(VENV)/.dev: requirements-dev.lock | $(VENV)/bin/python
 serve: $(VENV)/.runtime vendor ## run the service on http://127.0.0.1:8000 (PORT= changes it)
 	$(PY) -m service --port $(PORT)
 
-test: $(VENV)/.dev vendor ## every check and test
+test: $(VENV)/.dev vendor ## every check and test (PROCESSES= changes how many processes run them)
 	$(MAKE) -j 3 pytest lint-python lint-web
 
-# Three processes on two processors: one that waits for a page, a delay or a database leaves none of them idle.
 pytest: $(VENV)/.dev vendor
-	$(PY) -m pytest -n 3 --dist loadfile --no-loadscope-reorder --durations 30
+	$(PY) -m pytest -n $(PROCESSES) --dist loadfile --no-loadscope-reorder --durations 30
 
 mued: $(VENV)/.dev ## ask a µEd service at MUED_URL= (this checkout, if left out) whether it keeps the standard
 	$(PY) -m pytest -n 0 tests/mued
@@ -151,7 +152,7 @@ campaign: $(VENV)/.dev ## the checker against two million tables, valid and wron
 	$(PY) -m tests.kinematics.equivalence $(ARGS)
 
 explore: $(VENV)/.dev vendor ## the property tests with fresh seeds, and long ones in full; what fails becomes an example (ARGS="tests/kinematics": some)
-	FRAMEWISE_EXPLORE=1 $(PY) -m pytest -n 2 --dist loadfile --no-loadscope-reorder $(or $(ARGS),tests/kinematics tests/exercises tests/service tests/courses/test_policies.py tests/web/test_trainer.py tests/web/test_exercises.py)
+	FRAMEWISE_EXPLORE=1 $(PY) -m pytest -n $(PROCESSES) --dist loadfile --no-loadscope-reorder $(or $(ARGS),tests/kinematics tests/exercises tests/service tests/courses/test_policies.py tests/web/test_trainer.py tests/web/test_exercises.py)
 
 campaign-answers: $(VENV)/.dev ## answers to every kind of question, right and wrong, against oracles of their own (an hour; ARGS="--only screws --answers 1000": some)
 	$(PY) -m tests.exercises.meaning $(ARGS)
