@@ -84,11 +84,11 @@ def graded(folder: Path) -> tuple[float, float]:
     """Grade a folder; return the time [s] and the size of the largest process so far [MB]."""
     command = [sys.executable, "-m", "service", "grade", str(folder), "--exercise", "puma560"]
     options = ["--convention", "modified", "--angle-unit", "deg", "--jobs", "2"]
-    marks = folder.with_suffix(".marks")
+    grades = folder.with_suffix(".csv")
     start = time.perf_counter()
-    subprocess.run([*command, *options, "--output", str(marks)], check=True, capture_output=True)
+    subprocess.run([*command, *options, "--output", str(grades)], check=True, capture_output=True)
     seconds = time.perf_counter() - start
-    lines = marks.read_text().splitlines()[1:]
+    lines = grades.read_text().splitlines()[1:]
     right = sum(",true," in line for line in lines)
     assert len(lines) == len(list(folder.iterdir())), lines[:3]
     assert 0.4 * len(lines) <= right < 0.6 * len(lines), right

@@ -1,4 +1,4 @@
-"""Are the entries of an answer the same functions as a key's? Proofs, one entry by one and all together.
+"""Are the entries of an answer the same functions as a key's? Proofs, one by one and all together.
 
 Most entries are polynomials in sines and cosines, or quotients of these (`kinematics.symbolic.polynomials`);
 the others are sums of exponentials (`kinematics.symbolic.canonical`).

@@ -20,7 +20,7 @@ class ContentItem:
 
     Attributes:
         custom: what launches of the link bring back; it survives the copy of a course.
-        points: what full marks are worth; None if the platform takes no line items.
+        points: what a full score is worth; None if the platform takes no line items.
         tag: names the exercise in the gradebook.
     """
 

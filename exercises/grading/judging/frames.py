@@ -180,7 +180,7 @@ def _whole(value: float) -> float | int:
 
 
 def _joints(key: NumericTable, answer: NumericTable, certificate: Certificate) -> Iterator[Feedback]:
-    """Joint by joint, where frames do not correspond: the axis or the variable points the other way.
+    """Joint by joint: the axis or the variable points the other way.
 
     A joint moves by s·q about its z. With q_s = σ q + δ the same motion is s_s σ about z_s and s about z:
     z_s = σ s_s s z.

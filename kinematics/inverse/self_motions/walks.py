@@ -59,7 +59,7 @@ def lead_to_one(follower: Follower, starts: Array, places: Array, lost: float) -
     found = np.zeros(len(starts), dtype=bool)
     while arrived.any():
         asked = arrived & (arrived.cumsum(axis=0) == 1)
-        sound = asked.ravel()
+        sound = asked.ravel()  # the same array, walk by walk
         arrived &= ~asked
         sound[_jumped(follower, taken, sound)] = False
         found |= asked.any(axis=0)

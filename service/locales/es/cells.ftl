@@ -81,7 +81,7 @@ error-parameter_two_kinds =
 
 error-variable_without_number = En el carácter { $column }: { $name } necesita el número de su articulación, como en { $suggestion }.
 error-variable_misspelled = En el carácter { $column }: { $name } no es una variable articular. Escriba { $suggestion } o θ con el número de la articulación.
-error-variable_called = En el carácter { $column }: { $name } es una variable articular y no lleva nada entre paréntesis. Escriba una constante como suma: { $name } + ….
+error-variable_called = En el carácter { $column }: { $name } es una variable articular y no lleva nada entre paréntesis. Escriba la constante como sumando: { $name } + ….
 error-variable_scaled = En el carácter { $column }: { $name } está multiplicada por { $factor }. Una variable articular entra como +{ $name } o -{ $name }; si no, no sería el movimiento de su articulación.
 error-variable_in_product = En el carácter { $column }: { $name } está multiplicada por otra magnitud. Una variable articular entra como +{ $name } o -{ $name } más una constante.
 error-variable_in_denominator = En el carácter { $column }: { $name } está en un denominador. Una variable articular entra como +{ $name } o -{ $name } más una constante.

@@ -81,7 +81,7 @@ error-parameter_two_kinds =
 
 error-variable_without_number = Au caractère { $column } : { $name } doit porter le numéro de son articulation, comme { $suggestion }.
 error-variable_misspelled = Au caractère { $column } : { $name } n’est pas une variable articulaire. Écrivez { $suggestion } ou θ avec le numéro de l’articulation.
-error-variable_called = Au caractère { $column } : { $name } est une variable articulaire ; rien ne la suit entre parenthèses. Écrivez un décalage comme une somme : { $name } + ….
+error-variable_called = Au caractère { $column } : { $name } est une variable articulaire ; rien ne la suit entre parenthèses. Écrivez le décalage sous forme de somme : { $name } + ….
 error-variable_scaled = Au caractère { $column } : { $name } est multipliée par { $factor }. Une variable articulaire s’écrit +{ $name } ou -{ $name } ; sinon elle ne serait plus le mouvement de son articulation.
 error-variable_in_product = Au caractère { $column } : { $name } est multipliée par une autre grandeur. Une variable articulaire s’écrit +{ $name } ou -{ $name }, plus un décalage.
 error-variable_in_denominator = Au caractère { $column } : { $name } est au dénominateur. Une variable articulaire s’écrit +{ $name } ou -{ $name }, plus un décalage.

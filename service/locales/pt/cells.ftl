@@ -81,7 +81,7 @@ error-parameter_two_kinds =
 
 error-variable_without_number = No carácter { $column }: { $name } precisa do número da sua junta, como em { $suggestion }.
 error-variable_misspelled = No carácter { $column }: { $name } não é uma variável de junta. Escreva { $suggestion } ou θ com o número da junta.
-error-variable_called = No carácter { $column }: { $name } é uma variável de junta e não leva nada entre parênteses. Escreva uma constante como soma: { $name } + ….
+error-variable_called = No carácter { $column }: { $name } é uma variável de junta e não leva nada entre parênteses. Escreva a constante como parcela: { $name } + ….
 error-variable_scaled = No carácter { $column }: { $name } está multiplicada por { $factor }. Uma variável de junta entra como +{ $name } ou -{ $name }; de outro modo não seria o movimento da sua junta.
 error-variable_in_product = No carácter { $column }: { $name } está multiplicada por outra grandeza. Uma variável de junta entra como +{ $name } ou -{ $name } mais uma constante.
 error-variable_in_denominator = No carácter { $column }: { $name } está num denominador. Uma variável de junta entra como +{ $name } ou -{ $name } mais uma constante.

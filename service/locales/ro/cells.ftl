@@ -106,7 +106,7 @@ error-parameter_two_kinds =
 
 error-variable_without_number = La caracterul { $column }: { $name } are nevoie de numărul cuplei sale, ca în { $suggestion }.
 error-variable_misspelled = La caracterul { $column }: { $name } nu este variabila unei cuple. Scrieți { $suggestion } sau θ cu numărul cuplei.
-error-variable_called = La caracterul { $column }: { $name } este variabila unei cuple, deci nu este urmată de nimic între paranteze. Scrieți o constantă ca sumă: { $name } + ….
+error-variable_called = La caracterul { $column }: { $name } este variabila unei cuple, deci nu este urmată de nimic între paranteze. Scrieți constanta ca termen al unei sume: { $name } + ….
 error-variable_scaled = La caracterul { $column }: { $name } este înmulțită cu { $factor }. Variabila unei cuple apare ca +{ $name } sau -{ $name }; altfel nu ar mai fi mișcarea cuplei sale.
 error-variable_in_product = La caracterul { $column }: { $name } este înmulțită cu altă mărime. Variabila unei cuple apare ca +{ $name } sau -{ $name }, plus o constantă.
 error-variable_in_denominator = La caracterul { $column }: { $name } stă la numitor. Variabila unei cuple apare ca +{ $name } sau -{ $name }, plus o constantă.

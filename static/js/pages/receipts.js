@@ -74,8 +74,8 @@ function* bodies(receipts) {
     yield { receipts: receipts.slice(at, at + AT_ONCE).map(({ text }) => text) };
 }
 
-/** Saves the marks of receipts for a gradebook: a file for each call. @param {Found[]} receipts @param {string} format */
-async function saveMarks(receipts, format) {
+/** Saves what receipts say for a gradebook: a file for each call. @param {Found[]} receipts @param {string} format */
+async function saveGradebook(receipts, format) {
   const calls = [...bodies(receipts)];
   for (const [i, body] of calls.entries()) {
     const part = calls.length > 1 ? `-${i + 1}` : "";
@@ -104,7 +104,7 @@ function summary(checked, receipts) {
       FORMATS.map((format) =>
         el("button", {
           type: "button",
-          onclick: () => saveMarks(valid, format),
+          onclick: () => saveGradebook(valid, format),
           text: t(`receipts-save-${format}`),
           disabled: !valid.length,
         }),
