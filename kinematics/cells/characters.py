@@ -79,7 +79,7 @@ _CYRILLIC_WORD = re.compile("(?<![^\\W\\d_])[пП][іи](?![^\\W_])")
 
 _RAISED_POINT = re.compile("(?<![\\w.,])0[\u00b7\u22c5\u2219\u2022] *[0-9]+")
 
-_LOST_POWER = re.compile(r"(?<![\w.^*])([0-9.]+) ?\* ?10([+-])([0-9]{1,2})(?![0-9A-Za-z_.(^*/°])")
+_LOST_POWER = re.compile(r"(?<![\w.^*])([0-9.]+) *\* *10([+-]) *([0-9]{1,2})(?![0-9A-Za-z_.(^*/°])")
 """A power of ten from a PDF that raises nothing: 4×10-1 may be 4×10⁻¹."""
 _MINUTES = re.compile(
     "(?<![\\w.,])([0-9]{1,4})[°\u00ba\u02da] *([0-5]?[0-9](?:\\.[0-9]{1,6})?) *(?:'(?!')|[\u2032\u2019])"
@@ -134,7 +134,7 @@ def _refuse_lost_power(plain: str) -> None:
         raise CellRefusal(
             "exponent_ambiguous",
             column=lost.start() + 1,
-            text=lost.group(),
+            text=lost.group().replace(" ", ""),
             number=f"{number}e{sign}{power}",
             difference=f"{number}*10 {sign} {power}",
         )

@@ -29,7 +29,8 @@ _NUMBER = r"(?:\d+[.,]?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _DECIMAL_COMMA = re.compile(r"(?<![\d.,])(\d+),(\d+)(?![\d.,])")
 _VARIABLE = r"(?:[qθd]|theta)_?(?:\d+|[₀-₉]+)"
 _VALUE_AND_WORD = re.compile(
-    rf"(?<![\w.])(?:{_NUMBER}[ \u00a0\u202f]*|(?:pi|π|{_VARIABLE})[ \u00a0\u202f]+)"
+    rf"(?<![\w.])(?:(?:{_NUMBER} *)?(?:pi|π|[пП][іи]?|{_VARIABLE})[ \u00a0\u202f]+"
+    rf"|{_NUMBER}[ \u00a0\u202f]*)"
     r"((?:de )?([^\W\d_]+)(?:\.(?!\d))?)(?![\w(])"
 )
 

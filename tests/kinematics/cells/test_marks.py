@@ -120,7 +120,7 @@ def test_a_number_behind_a_function_is_its_argument(cell):
     assert faults_of(raw_row(a=cell)) == [("function_without_parentheses", ("rows", 0, "a"))]
 
 
-@pytest.mark.parametrize("cell", ["4×10-1", "4*10−1", "q1 + 1.5·10-3", "4 * 10-1"])
+@pytest.mark.parametrize("cell", ["4×10-1", "4*10−1", "q1 + 1.5·10-3", "4 * 10-1", "4&times;10&minus;1"])
 def test_a_power_that_a_pdf_lost_is_told(cell):
     """4×10⁻¹ was read as 39."""
     with pytest.raises(CellRefusal, match="exponent_ambiguous") as refused:
