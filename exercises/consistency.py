@@ -7,7 +7,7 @@ from exercises.drawings import end_marks
 from exercises.errors import DefinitionError
 from exercises.figures.geometry import build_scene
 from exercises.grading import ToolRule, ZeroRule
-from exercises.needs import unmet_needs
+from exercises.needs import rules_that_need, unmet_needs
 from exercises.parts.registry import part_type
 from exercises.statements import names_in
 from kinematics.cells import parameters_in_radians
@@ -24,7 +24,9 @@ def inconsistencies(exercise: Exercise) -> Iterator[Fault]:
     yield from _alias_faults(exercise)
     yield from _part_faults(exercise)
     for i in unmet_needs(exercise):
-        yield Fault.at("need_unmet", FILE, "needs", i, name=exercise.needs[i])
+        name = exercise.needs[i]
+        rules = "; ".join(rules_that_need(exercise, name)) or "none"
+        yield Fault.at("need_unmet", FILE, "needs", i, name=name, rules=rules)
 
 
 def _figure_faults(exercise: Exercise) -> list[Fault]:

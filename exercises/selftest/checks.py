@@ -17,7 +17,7 @@ from exercises.errors import DefinitionError
 from exercises.grading import HelpLevel, Verdict
 from exercises.grading.score import weight_to_earn
 from exercises.instance import Instance, generate
-from exercises.needs import unneeded_dimensions
+from exercises.needs import rules_that_need, unneeded_dimensions
 from exercises.parts.protocol import TABLE
 from exercises.parts.registry import part_type
 from exercises.parts.report import Credit
@@ -84,7 +84,8 @@ def check_values(
             _check_samples(findings, exercise)
             _check_earnings(findings, exercise)
             for name in unneeded_dimensions(exercise):
-                findings.warn("unneeded", name=name)
+                rules = "; ".join(rules_that_need(exercise, name)) or "none"
+                findings.warn("unneeded", name=name, rules=rules)
             for name, other in _alike(exercise, seeds):
                 findings.warn("alike", name=name, other=other)
     return findings

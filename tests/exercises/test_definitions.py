@@ -227,6 +227,40 @@ def test_an_author_is_warned_of_frames_that_coincide_in_the_figure(
     assert ("frames_coincide" in {one.check for one in found.warnings}) is told
 
 
+WORKSPACE = 'kind = "workspace"\npoint = "P"\nlimits = {limits}\n'
+UNDER_RULES = """
+[policy]
+tool = "point"
+direction = "{direction}"
+
+[figure]
+posture = [0, {drawn}]
+marks = ["P"]
+points.P = {{ frame = 2 }}
+"""
+
+
+@pytest.mark.parametrize(
+    ("limits", "drawn", "direction", "told"),
+    [
+        ("[[], [-20, 120]]", 30, "free", True),
+        ("[[], [-20, 120]]", 30, "figure", False),
+        ("[[], [-20, 80]]", 30, "free", False),
+        ("[[], [0, 120]]", 0, "free", False),
+        ("[[-20, 120], []]", 30, "free", False),
+    ],
+)
+def test_an_author_is_warned_of_limits_whose_sense_is_free_and_matters(
+    limits: str, drawn: int, direction: str, told: bool, tmp_path: Path
+) -> None:
+    """They may lie about where the joint is drawn, or the arm may be its own mirror image."""
+    part = asking_only(WORKSPACE.format(limits=limits))
+    text = part + UNDER_RULES.format(drawn=drawn, direction=direction)
+    found = check(load_exercise(folder(tmp_path, text)), 1)
+    assert found.failures == []
+    assert ("limits_ambiguous" in {one.check for one in found.warnings}) is told
+
+
 def test_no_shipped_exercise_warns_of_its_parts() -> None:
     for name in exercise_ids:
         found = exercise(name)

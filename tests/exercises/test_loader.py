@@ -301,6 +301,38 @@ def test_needs_that_the_policy_sees_to_are_kept(tmp_path: Path) -> None:
     assert load_exercise(folder(tmp_path, fixed)).needs == ("L1", "L0")
 
 
+@pytest.mark.parametrize(
+    ("policy", "rules"),
+    [
+        ("", 'base = "origin", tool = "point"'),
+        ('base = "frame"', 'tool = "point"'),
+        ('tool = "frame"', 'base = "origin"'),
+    ],
+)
+def test_a_need_that_is_not_met_is_told_with_the_rules_that_lack(
+    policy: str, rules: str, tmp_path: Path
+) -> None:
+    """Authors were told to fix the base, the tool or the zeros, whichever they had fixed already."""
+    text = changed("version = 1", 'version = 1\nneeds = ["L0"]')
+    text = changed('theta = "q1", d = 0', 'theta = "q1", d = "L0"', text)
+    text = changed("[parameters]", "[parameters]\nL0.value = 0.2", text)
+    text = changed("[[parts]]", f"[policy]\n{policy}\n[[parts]]", text)
+    with pytest.raises(DefinitionError) as refused:
+        load_exercise(folder(tmp_path, text))
+    (fault,) = refused.value.faults
+    assert (fault.code, fault.params) == ("need_unmet", {"name": "L0", "rules": rules})
+
+
+def test_the_zeros_are_named_where_only_they_are_free(tmp_path: Path) -> None:
+    text = changed("version = 1", 'version = 1\nneeds = ["L2"]')
+    rows = '"prismatic", theta = 0, d = "q2 + L2", a = 0'
+    text = changed('"revolute", theta = "q2", d = 0, a = "L2"', rows, text)
+    fixed = '[policy]\nbase = "frame"\ntool = "frame"\n[[parts]]'
+    with pytest.raises(DefinitionError) as refused:
+        load_exercise(folder(tmp_path, changed("[[parts]]", fixed, text)))
+    assert [fault.params["rules"] for fault in refused.value.faults] == ['zero = "figure"']
+
+
 def test_weights_are_the_exercises(tmp_path: Path) -> None:
     found = load_exercise(folder(tmp_path, changed("[[parts]]", "[weights]\njoint = 3\n[[parts]]")))
     assert (found.weights.joint, found.weights.length) == (3.0, 1.0)

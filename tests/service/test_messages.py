@@ -229,7 +229,20 @@ def test_a_unit_is_a_word_after_in_and_a_symbol_after_a_number(language: str) ->
     told |= {"course": "vertical", "row": 1}
     for message in ["task-screws", "task-frame-chain", "task-workspace-axis", "form-frames-hint"]:
         assert f" {INCHES[language]}" in (sentence(language, message, {**told, "unit": "in"}) or "")
-        assert " mm" in (sentence(language, message, {**told, "unit": "mm"}) or "")
+        millimetres = " мм" if language == "uk" else " mm"
+        assert millimetres in (sentence(language, message, {**told, "unit": "mm"}) or "")
     symbols = {"figure-dimension": " 1 in", "given-link-weights": " in²", "form-cell-label": "[in]"}
     for message, symbol in symbols.items():
         assert symbol in (sentence(language, message, {**told, "unit": "in"}) or "")
+
+
+@pytest.mark.parametrize(("unit", "written"), [("m", "м"), ("cm", "см"), ("mm", "мм")])
+def test_ukrainian_sentences_write_units_in_cyrillic_and_fields_as_they_are_typed(
+    unit: str, written: str
+) -> None:
+    told = {"name": "L1", "length": "90", "course": "vertical", "start": "O0", "end": "P", "row": 1}
+    said = {
+        name: sentence("uk", name, {**told, "unit": unit}) for name in ("figure-dimension", "form-cell-label")
+    }
+    assert f" 90 {written} " in (said["figure-dimension"] or "")
+    assert f"[{unit}]" in (said["form-cell-label"] or "")

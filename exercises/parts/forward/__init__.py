@@ -8,4 +8,5 @@ transform        ⁰T_N in symbols
 pose             ⁰T_N in numbers
 value            whether a matrix is the ⁰T_N of the robot
 workspace, reach the radii between which a point moves
+joint_limits     limits of joints, as they are defined and told
 """

@@ -1,6 +1,6 @@
 """The radii of the workspace: how near and how far a point of the last link can be brought."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -12,16 +12,21 @@ import numpy as np
 
 from exercises.definition import Exercise, Part
 from exercises.errors import DefinitionError
-from exercises.figures.points import Points, posture_in_figure
-from exercises.grading import Feedback, HelpLevel
-from exercises.instance import Instance
+from exercises.figures.points import Points
+from exercises.grading import DirectionRule, Feedback, HelpLevel
+from exercises.instance import Instance, generate
 from exercises.names import in_own_names
 from exercises.parts.cells.by_name import ByName, read_by_name
 from exercises.parts.context import Context
 from exercises.parts.first_values import Start, joint_names
+from exercises.parts.forward.joint_limits import (
+    JointLimits,
+    read_limits,
+    told_limits,
+    with_one_joint_reversed,
+)
 from exercises.parts.forward.reach import Reach, reach
-from exercises.parts.joint_draws import told_units
-from exercises.parts.protocol import PartType, Reading, RobotFacts
+from exercises.parts.protocol import Answer, PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, PartReport, fact, judged, told_from
 from exercises.parts.task import PartTask
 from exercises.reading import KeyShape, Reader
@@ -51,7 +56,7 @@ class WorkspacePart(Part):
 
     point: str
     origin: str | None
-    limits: tuple[tuple[Fraction, Fraction] | None, ...]
+    limits: JointLimits
     tolerance: float
 
 
@@ -130,7 +135,7 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, ByName[Reach]]):
             points=points,
             point=reader.text("point"),
             origin=None if origin == AXIS else origin,
-            limits=_limits(reader, len(robot.joint_types), robot.limits),
+            limits=read_limits(reader, len(robot.joint_types), robot.limits),
             tolerance=reader.tolerance("tolerance", 0.01),
         )
 
@@ -144,9 +149,23 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, ByName[Reach]]):
             if name is not None and name not in exercise.figure.marks:
                 yield Fault.at("unknown_point", key, name=name, known=", ".join(exercise.figure.marks))
 
+    def warnings(self, part: WorkspacePart, exercise: Exercise) -> Iterable[str]:
+        """Return a code where the radii depend on the sense of a joint with limits, which is free."""
+        if exercise.policy.direction is DirectionRule.FIGURE:
+            return ()
+        nothing = Answer(parts={}, angle_unit=exercise.angle_unit, length_unit=exercise.length_unit)
+        usual = Context(instance=generate(exercise), answer=nothing, verdict=None)
+        key = workspace_of(usual, part)
+        others = (replace(part, limits=one) for one in with_one_joint_reversed(part.limits, exercise))
+        off = part.tolerance * key.outer
+        for radii in (workspace_of(usual, other) for other in others):
+            if abs(radii.inner - key.inner) > off or abs(radii.outer - key.outer) > off:
+                return ("limits_ambiguous",)
+        return ()
+
     def task(self, part: WorkspacePart, instance: Instance) -> PartTask:
         """Ask for the least and the greatest distance."""
-        ranges, drawn = _told_limits(part, instance.exercise)
+        ranges, drawn = told_limits(part.limits, instance.exercise)
         values = {
             "point": part.point,
             "origin": part.origin or "",
@@ -232,22 +251,6 @@ def _what_is_off(answer: Reach, key: Reach, context: Context, limit: float) -> F
     return None
 
 
-def _told_limits(part: WorkspacePart, exercise: Exercise) -> tuple[str, str]:
-    """Limits as inequalities, and where these joints are in the figure, which shows where their zeros lie."""
-    table, unit = exercise.reference.table, exercise.angle_unit
-    ranges, drawn = [], []
-    posture = posture_in_figure(exercise.figure, table)
-    joints = zip(part.limits, posture, table.joint_types, told_units(exercise), strict=True)
-    for i, (limit, value, joint_type, sign) in enumerate(joints, 1):
-        if limit is None:
-            continue
-        shown = unit.from_radians(value) if joint_type is JointType.REVOLUTE else value
-        low, high, now = (f"{float(x):g}{sign if sign == '°' else f' {sign}'}" for x in (*limit, shown))
-        ranges.append(f"{low} ≤ q{i} ≤ {high}")
-        drawn.append(f"q{i} = {now}")
-    return ", ".join(ranges), ", ".join(drawn)
-
-
 def _interval(limit: tuple[Fraction, Fraction], unit: AngleUnit | None) -> tuple[float, float]:
     low, high = (float(value) if unit is None else unit.in_radians(float(value)) for value in limit)
     return low, high
@@ -262,37 +265,6 @@ def _radius(cell: Cell, name: str, reading: Reading) -> float:
     if value < 0:
         raise CellError(Fault.at("radius_negative", name))
     return value
-
-
-def _limits(
-    reader: Reader, n: int, known: Sequence[tuple[float, float]] | None
-) -> tuple[tuple[Fraction, Fraction] | None, ...]:
-    """Limits of the joints: "catalogue", a list with one entry per joint ([] for none), or none at all."""
-    free: tuple[tuple[Fraction, Fraction] | None, ...] = (None,) * n
-    value = reader.values["limits"] if reader.given("limits") else [[]] * n
-    if value == "catalogue":
-        if known is None:
-            reader.fault("exercise_limits_unknown", "limits")
-            return free
-        return tuple((Fraction(repr(low)), Fraction(repr(high))) for low, high in known)
-    if not isinstance(value, list):
-        reader.fault("exercise_value_unknown", "limits", key="limits", known="catalogue, [[-180, 180], []]")
-        return free
-    if len(value) != n:
-        reader.fault("joints_wrong_length", "limits", expected=n, given=len(value))
-        return free
-    limits: list[tuple[Fraction, Fraction] | None] = []
-    for i, entry in enumerate(value):
-        if entry == []:
-            limits.append(None)
-            continue
-        inner = Reader({"pair": entry}, (*reader.where, "limits", i), reader.faults)
-        pair = inner.exacts("pair")
-        low, high = pair if len(pair) == 2 else (Fraction(1), Fraction(0))
-        if low > high:
-            inner.fault("exercise_limits_reversed", joint=i + 1)
-        limits.append((low, high))
-    return tuple(limits)
 
 
 PART = WorkspacePartType()

@@ -22,13 +22,17 @@ check-sample = The sample “{ $name }” is not judged as expected; the verdict
 check-rounded = A right table rounded to { $digits } digits is rejected under the tool rule { $rule }: { $table }
 check-tool_rule = A right table is rejected under the tool rule { $rule }: { $table }
 check-crash = Seed { $seed }: grading fails: { $reason }
-check-unneeded = No right answer needs { $name }: a student may choose frames in which it does not appear. If answers are to contain it, fix the base frame, the tool frame or, if { $name } lies along a prismatic joint, the zeros; otherwise leave it out of the statement.
+check-unneeded = No right answer needs { $name }: a student may choose frames in which it does not appear. { $rules ->
+    [none] No rule of the policy changes that: leave it out of the statement.
+   *[other] If answers are to contain it, each of these rules is enough: { $rules }. Otherwise leave it out of the statement.
+}
 check-alike = Some students may swap the numbers of { $name } and { $other } without being noticed: the two differ by no more than 1 %. Choose values, or ranges to draw from, that lie further apart.
 check-no_joints = The robot has no joint: there is nothing to describe. Give a row of the table a joint.
 check-nothing_earned = No wrong table earns anything: nothing that a table of zeros gets wrong about this robot carries any weight. Set other weights, or fix more in the policy.
 check-asked_as_shown = The part { $kind } shows what it asks for. Ask for something else, or show it in another form.
 check-gravity_not_down = In the figure, gravity as part { $kind } gives it does not point down. Turn frame 0 with upright, or change gravity.
 check-frames_coincide = In the figure of part { $kind }, two frames have the same origin because a prismatic joint between them is drawn at zero. Give it another value in posture.
+check-limits_ambiguous = The answer to part { $kind } depends on the direction in which a joint with limits increases, which students choose freely. Fix the directions (figure), or choose limits for which it makes no difference.
 warm-counts = { $exercise }: { $values ->
     [one] { $values } set of values
    *[other] { $values } sets of values

@@ -228,7 +228,10 @@ error-name_unknown = { $name } is none of the dimensions of this exercise.{ $uni
     [0] {""}
    *[one] {" "}Did you mean { $close }?
 } Known names: { $known }.
-error-need_unmet = No answer needs { $name } under this policy: students may choose frames in which it does not appear. Fix the base (origin or frame), the tool (point or frame) or, if { $name } lies along a prismatic joint, the zeros (figure).
+error-need_unmet = No answer needs { $name } under this policy: students may choose frames in which it does not appear. { $rules ->
+    [none] No rule of the policy changes that: remove it from needs.
+   *[other] Each of these rules is enough for it to be needed: { $rules }.
+}
 error-need_unknown = { $name } is not a dimension of the table. Its dimensions: { $known }.
 error-alias_taken = { $name } already has a meaning.
 error-title_missing = A title in one language at least is needed: [title] with en = "…".

@@ -22,13 +22,17 @@ check-sample = El ejemplo «{ $name }» no se juzga como se esperaba; el veredic
 check-rounded = Se rechaza una tabla correcta redondeada a { $digits } cifras con la regla de herramienta { $rule }: { $table }
 check-tool_rule = Se rechaza una tabla correcta con la regla de herramienta { $rule }: { $table }
 check-crash = Semilla { $seed }: falla la calificación: { $reason }
-check-unneeded = Ninguna respuesta correcta necesita { $name }: el estudiante puede elegir sistemas de referencia en los que no aparece. Si la respuesta debe contener esa cota, fije el sistema de la base, el de la herramienta o, si { $name } está a lo largo de una articulación prismática, los ceros; si no, no la mencione en el enunciado.
+check-unneeded = Ninguna respuesta correcta necesita { $name }: el estudiante puede elegir sistemas de referencia en los que no aparece. { $rules ->
+    [none] Ninguna regla lo cambia: no mencione esa cota en el enunciado.
+   *[other] Si la respuesta debe contener esa cota, basta con cualquiera de estas reglas: { $rules }. Si no, no la mencione en el enunciado.
+}
 check-alike = Algunos estudiantes pueden intercambiar los valores de { $name } y { $other } sin que se note: difieren en un 1 % como máximo. Elija valores o intervalos más separados.
 check-no_joints = El robot no tiene ninguna articulación: no hay nada que describir. Ponga una en alguna fila de la tabla.
 check-nothing_earned = Ninguna tabla incorrecta obtiene puntos: no tiene peso nada de lo que una tabla de ceros describe mal en este robot. Cambie los pesos o fije más reglas.
 check-asked_as_shown = La parte { $kind } muestra lo que pide. Pida otra cosa o muéstrelo en otra forma.
 check-gravity_not_down = En la figura, la gravedad que da la parte { $kind } no apunta hacia abajo. Gire el sistema 0 con upright o cambie gravity.
 check-frames_coincide = En la figura de la parte { $kind }, dos sistemas de referencia tienen el mismo origen porque una articulación prismática entre ellos está dibujada en cero. Dele otro valor en posture.
+check-limits_ambiguous = La respuesta a la parte { $kind } depende del sentido en que crece una articulación con límites, que se elige libremente. Fije los sentidos (figure) o elija límites con los que eso no importe.
 warm-counts = { $exercise }: { $values ->
     [one] { $values } juego de valores comprobado y dibujado
    *[other] { $values } juegos de valores comprobados y dibujados

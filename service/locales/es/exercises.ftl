@@ -228,7 +228,10 @@ error-name_unknown = { $name } no es ninguna de las dimensiones de este ejercici
     [0] {""}
    *[one] {" "}¿Quería decir { $close }?
 } Las dimensiones son { $known }.
-error-need_unmet = Con estas reglas ninguna respuesta necesita { $name }: se pueden elegir sistemas en los que no aparece. Fije la base (origin o frame), la herramienta (point o frame) o, si { $name } está a lo largo de una articulación prismática, los ceros (figure).
+error-need_unmet = Con estas reglas ninguna respuesta necesita { $name }: se pueden elegir sistemas en los que no aparece. { $rules ->
+    [none] Ninguna regla lo cambia: quítelo de needs.
+   *[other] Cualquiera de estas reglas basta para que haga falta: { $rules }.
+}
 error-need_unknown = { $name } no es ninguna dimensión de la tabla. Sus dimensiones: { $known }.
 error-alias_taken = { $name } ya tiene un significado.
 error-title_missing = Hace falta un título al menos en un idioma: [title] con en = "…".

@@ -22,13 +22,17 @@ check-sample = L’exemple « { $name } » n’est pas jugé comme prévu ; l
 check-rounded = Un tableau juste arrondi à { $digits } chiffres est refusé avec la règle d’outil { $rule } : { $table }
 check-tool_rule = Un tableau juste est refusé avec la règle d’outil { $rule } : { $table }
 check-crash = Graine { $seed } : l’évaluation échoue : { $reason }
-check-unneeded = Aucune réponse juste n’a besoin de { $name } : on peut choisir des repères où cette cote n’apparaît pas. Si la réponse doit la contenir, fixez le repère de la base, celui de l’outil ou, si { $name } est le long d’une articulation prismatique, les zéros ; sinon, retirez-la de l’énoncé.
+check-unneeded = Aucune réponse juste n’a besoin de { $name } : on peut choisir des repères où cette cote n’apparaît pas. { $rules ->
+    [none] Aucune règle n’y change rien : retirez-la de l’énoncé.
+   *[other] Si la réponse doit la contenir, chacune de ces règles suffit : { $rules }. Sinon, retirez-la de l’énoncé.
+}
 check-alike = Certains étudiants peuvent intervertir { $name } et { $other } dans les valeurs numériques sans que rien ne le montre : les deux diffèrent de 1 % au plus. Choisissez des valeurs, ou des intervalles de tirage, plus éloignés.
 check-no_joints = Le robot n’a aucune articulation : il n’y a rien à décrire. Mettez-en une dans une ligne du tableau.
 check-nothing_earned = Aucun tableau faux ne rapporte de points : rien de ce qu’un tableau de zéros décrit mal de ce robot n’a de poids. Changez les poids ou fixez davantage de règles.
 check-asked_as_shown = La partie { $kind } montre ce qu’elle demande. Demandez autre chose, ou montrez-le sous une autre forme.
 check-gravity_not_down = Sur la figure, la pesanteur que donne la partie { $kind } n’est pas dirigée vers le bas. Tournez le repère 0 par upright, ou changez gravity.
 check-frames_coincide = Sur la figure de la partie { $kind }, deux repères ont la même origine, car une liaison prismatique entre eux y est dessinée à zéro. Donnez-lui une autre valeur dans posture.
+check-limits_ambiguous = La réponse à la partie { $kind } dépend du sens dans lequel est comptée une articulation limitée, et ce sens se choisit librement. Fixez les sens (figure), ou choisissez des limites pour lesquelles il est indifférent.
 warm-counts = { $exercise } : { $values ->
     [one] { $values } jeu de valeurs vérifié et dessiné
    *[other] { $values } jeux de valeurs vérifiés et dessinés

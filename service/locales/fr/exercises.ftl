@@ -228,7 +228,10 @@ error-name_unknown = { $name } n’est aucune des cotes de cet exercice.{ $unit 
     [0] {""}
    *[one] {" "}Vouliez-vous dire { $close } ?
 } Cotes connues : { $known }.
-error-need_unmet = Avec ces règles, aucune réponse n’a besoin de { $name } : on peut choisir des repères où cette cote n’apparaît pas. Fixez la base (origin ou frame), l’outil (point ou frame) ou, si { $name } est le long d’une articulation prismatique, les zéros (figure).
+error-need_unmet = Avec ces règles, aucune réponse n’a besoin de { $name } : on peut choisir des repères où cette cote n’apparaît pas. { $rules ->
+    [none] Aucune règle n’y change rien : retirez-la de needs.
+   *[other] Chacune de ces règles suffit à la rendre nécessaire : { $rules }.
+}
 error-need_unknown = { $name } n’est pas une cote du tableau. Ses cotes : { $known }.
 error-alias_taken = { $name } a déjà un sens.
 error-title_missing = Il faut un titre dans une langue au moins : [title] avec en = "…".

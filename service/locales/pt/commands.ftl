@@ -25,13 +25,17 @@ check-sample = A amostra “{ $name }” não é julgada como esperado; o veredi
 check-rounded = Uma tabela certa arredondada a { $digits } algarismos é rejeitada com a regra de ferramenta { $rule }: { $table }
 check-tool_rule = Uma tabela certa é rejeitada com a regra de ferramenta { $rule }: { $table }
 check-crash = Semente { $seed }: a avaliação falha: { $reason }
-check-unneeded = Nenhuma resposta certa precisa de { $name }: o estudante pode escolher referenciais em que não aparece. Se a resposta o deve conter, fixe o referencial da base, o da ferramenta ou, se { $name } estiver ao longo de uma junta prismática, os zeros; caso contrário, retire-o do enunciado.
+check-unneeded = Nenhuma resposta certa precisa de { $name }: o estudante pode escolher referenciais em que não aparece. { $rules ->
+    [none] Nenhuma regra o muda: retire-o do enunciado.
+   *[other] Se a resposta o deve conter, basta qualquer uma destas regras: { $rules }. Caso contrário, retire-o do enunciado.
+}
 check-alike = Alguns estudantes podem trocar { $name } e { $other } em números sem que se note: diferem em 1 % no máximo. Escolha valores ou intervalos mais afastados.
 check-no_joints = O robô não tem nenhuma junta: não há nada a descrever. Ponha uma numa linha da tabela.
 check-nothing_earned = Nenhuma tabela errada recebe pontos: nada do que uma tabela de zeros descreve mal neste robô tem peso. Mude os pesos ou fixe mais regras.
 check-asked_as_shown = A parte { $kind } mostra o que pede. Peça outra coisa ou mostre-a noutra forma.
 check-gravity_not_down = Na figura, a aceleração da gravidade dada na parte { $kind } não aponta para baixo. Rode o referencial 0 com upright ou altere gravity.
 check-frames_coincide = Na figura da parte { $kind }, dois referenciais têm a mesma origem porque uma junta prismática entre eles está desenhada em zero. Dê-lhe outro valor em posture.
+check-limits_ambiguous = A resposta à parte { $kind } depende do sentido em que cresce uma junta com limites, que se escolhe livremente. Fixe os sentidos (figure) ou escolha limites para os quais isso seja indiferente.
 warm-counts = { $exercise }: conjuntos de valores verificados e desenhados: { $values }, figuras: { $figures }, formas fechadas: { $forms }, falhas: { $failed }, { $seconds } s
 error-nothing_to_warm = Não há exercício, nem disciplina com ligações, chamado { $name }.
 error-variants_set = O número de variantes de { $name } está definido no exercício ou nas regras das ligações da disciplina. Omita --variants.

@@ -228,7 +228,10 @@ error-name_unknown = { $name } não é nenhuma das dimensões deste exercício.{
     [0] {""}
    *[one] {" "}Queria dizer { $close }?
 } Conhecem-se { $known }.
-error-need_unmet = Com estas regras nenhuma resposta precisa de { $name }: podem escolher-se referenciais em que não aparece. Fixe a base (origin ou frame), a ferramenta (point ou frame) ou, se { $name } estiver ao longo de uma junta prismática, os zeros (figure).
+error-need_unmet = Com estas regras nenhuma resposta precisa de { $name }: podem escolher-se referenciais em que não aparece. { $rules ->
+    [none] Nenhuma regra o muda: retire-o de needs.
+   *[other] Qualquer uma destas regras basta para que seja necessário: { $rules }.
+}
 error-need_unknown = { $name } não é nenhuma dimensão da tabela. As suas dimensões: { $known }.
 error-alias_taken = { $name } já tem um significado.
 error-title_missing = É preciso um título pelo menos numa língua: [title] com en = "…".

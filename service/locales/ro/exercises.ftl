@@ -251,7 +251,10 @@ error-name_unknown = { $name } nu este niciuna dintre cotele acestui exercițiu.
     [0] {""}
    *[one] {" "}Ați vrut să scrieți { $close }?
 } Se cunosc { $known }.
-error-need_unmet = Cu aceste reguli niciun răspuns nu are nevoie de { $name }: se pot alege sisteme în care nu apare. Fixați baza (origin sau frame), scula (point sau frame) ori, dacă { $name } se află de-a lungul unei cuple de translație, zerourile (figure).
+error-need_unmet = Cu aceste reguli niciun răspuns nu are nevoie de { $name }: se pot alege sisteme în care nu apare. { $rules ->
+    [none] Nicio regulă nu schimbă acest lucru: scoateți-o din needs.
+   *[other] Oricare dintre aceste reguli o face necesară: { $rules }.
+}
 error-need_unknown = { $name } nu este o cotă a tabelului. Cotele lui: { $known }.
 error-alias_taken = { $name } are deja un înțeles.
 error-title_missing = Este nevoie de un titlu în cel puțin o limbă: [title] cu en = "…".

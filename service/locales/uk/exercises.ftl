@@ -40,7 +40,12 @@ figure-joint-prismatic-signed = Зчленування { $joint } поступа
     [depthways] — спереду назад
    *[oblique] похилий
 }. Змінна зчленування додатна вздовж напряму { $direction }.
-figure-dimension = { $name } дорівнює { $length } { $unit } і виміряно { $course ->
+figure-dimension = { $name } дорівнює { $length } { $unit ->
+    [m] м
+    [cm] см
+    [mm] мм
+   *[other] { $unit }
+} і виміряно { $course ->
     [vertical] вертикально
     [sideways] зліва направо
     [depthways] спереду назад
@@ -245,7 +250,10 @@ error-name_unknown = { $name } не є розміром цієї вправи.{ 
     [0] {""}
    *[one] {" "}Можливо, ви мали на увазі { $close }?
 } Відомі назви: { $known }.
-error-need_unmet = За цих правил жодна відповідь не потребує { $name }: можна вибрати системи координат, у яких його немає. Зафіксуйте основу (origin або frame), інструмент (point або frame) чи, якщо { $name } лежить уздовж поступального зчленування, нулі (figure).
+error-need_unmet = За цих правил жодна відповідь не потребує { $name }: можна вибрати системи координат, у яких його немає. { $rules ->
+    [none] Жодне правило цього не змінює: вилучіть його з needs.
+   *[other] Кожного з цих правил досить, щоб він став потрібним: { $rules }.
+}
 error-need_unknown = { $name } не є розміром таблиці. Її розміри: { $known }.
 error-alias_taken = { $name } вже має значення.
 error-title_missing = Потрібна назва принаймні однією мовою: [title] з en = "…".

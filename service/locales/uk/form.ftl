@@ -74,10 +74,16 @@ form-degrees = градуси
 form-radians = радіани
 form-length-unit = Одиниця довжин
 unit-word = { $unit ->
+    [m] м
+    [cm] см
+    [mm] мм
     [in] дюймах
    *[other] { $unit }
 }
     .alone = { $unit ->
+        [m] м
+        [cm] см
+        [mm] мм
         [in] дюйми
        *[other] { $unit }
     }
