@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
 from functools import lru_cache
-from itertools import combinations, pairwise
+from itertools import combinations
 
 from exercises.grading.edits.cell_edits import RIGHT_ANGLES
 from exercises.grading.edits.changes import ROW_CELLS, Change, Extent, with_row, with_rows
@@ -38,16 +38,22 @@ def cells_swapped(work: Work) -> Iterator[Change]:
 
 
 def twists_swapped(work: Work) -> Iterator[Change]:
-    """Exchange α of neighbouring rows, unless that exchanges the rows."""
-    rows = work.table.rows
-    for i, (one, other) in enumerate(pairwise(rows)):
-        apart = abs(math.remainder(one.alpha - other.alpha, math.pi)) > work.policy.tolerance.angle
-        same = (one.joint, one.a, one.d, one.theta) == (other.joint, other.a, other.d, other.theta)
-        if apart and not same and work.is_near(i, i + 1) and not (work.is_near(i) or work.is_near(i + 1)):
-            cells = ((i, "alpha", other.alpha), (i + 1, "alpha", one.alpha))
-            params = (("other", i + 2),)
-            touched = ((i, "alpha"), (i + 1, "alpha"))
-            yield Change("twists_swapped", Extent.ROW, i, cells=cells, touched=touched, params=params)
+    """Exchange α of neighbouring rows where neither alone may mend all, unless that exchanges the rows."""
+    for i in range(len(work.table.rows) - 1):
+        if work.is_near(i, i + 1) and not (work.is_near(i) or work.is_near(i + 1)):
+            yield from twists_of(work, i)
+
+
+def twists_of(work: Work, i: int) -> Iterator[Change]:
+    """Exchange α of a row, from 0, and the next, unless they are alike or all else is."""
+    one, other = work.table.rows[i : i + 2]
+    apart = abs(math.remainder(one.alpha - other.alpha, math.pi)) > work.policy.tolerance.angle
+    same = (one.joint, one.a, one.d, one.theta) == (other.joint, other.a, other.d, other.theta)
+    if apart and not same:
+        cells = ((i, "alpha", other.alpha), (i + 1, "alpha", one.alpha))
+        params = (("other", i + 2),)
+        touched = ((i, "alpha"), (i + 1, "alpha"))
+        yield Change("twists_swapped", Extent.ROW, i, cells=cells, touched=touched, params=params)
 
 
 def joint_of_other_type(work: Work) -> Iterator[Change]:

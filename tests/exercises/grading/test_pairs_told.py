@@ -326,6 +326,21 @@ def test_twists_that_stand_in_each_others_rows_are_told_as_that_alone(name: str,
     assert by_row == [("row_wrong", row), ("row_wrong", row + 1)]
 
 
+def test_twists_in_each_others_rows_are_one_idea_where_the_second_only_spoils_the_tool() -> None:
+    """α5 of RX 90 alone mends all facts, α6 only the tool's line: two cells were said to be wrong."""
+    key = convert(dict(catalogue())["rx90"], Convention.STANDARD).table
+    answer = changed(changed(changed(key, 6, d=0.1), 5, alpha=0.0), 6, alpha=key.rows[4].alpha)
+    policy = Policy(tool=ToolRule.AXIS)
+    verdict = grade(written(key), written(answer), policy)
+    (repair,) = verdict.repairs
+    assert [(edit.code, edit.row, edit.params["other"]) for edit in repair.edits] == [
+        ("twists_swapped", 5, 6)
+    ]
+    assert accused(verdict) == [("twist_wrong", 5), ("twist_wrong", 6)]
+    elsewhere = changed(answer, 6, alpha=math.pi / 3)
+    assert len(grade(written(key), written(elsewhere), policy).repairs[0].edits) == 2
+
+
 @pytest.mark.parametrize(("name", "row"), [("dmra", 5), ("kr125", 1), ("ur5", 5)])
 def test_a_twist_that_no_frame_asks_for_is_not_accused_of_being_elsewhere(name: str, row: int) -> None:
     key = dict(catalogue())[name]
