@@ -58,7 +58,7 @@ def grade_class(
 ) -> Iterator[GradebookEntry]:
     """Yield the entry of every hand-in, in their order.
 
-    All cores are used, if the number of jobs is left out; for 1 this process alone.
+    All cores are used if the number of jobs is None; for 1 this process alone.
     """
     _library.cache_clear()  # a folder may have changed since another class was graded in this process
     jobs = jobs or os.cpu_count() or 1

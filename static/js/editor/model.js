@@ -235,9 +235,13 @@ export function fromWire(wire) {
   };
 }
 
+/** What may stand between a letter and its index: \theta_{1}, {{\theta }_{1}}, theta[1], θ<sub>1</sub>, θ*₁. */
+const TO_INDEX = String.raw`(?:[\s_{}[\](),;]|<sub>|\^?\{?(?:\*|\\ast\s*)\}?(?=[_₀-₉]))*[\d₀-₉]`;
+const TURNING = new RegExp(`(?:[θϑѲѳӨө𝜃]|[Tt]heta|[qQ])${TO_INDEX}`, "u");
+const SLIDING = new RegExp(`(?:^|[^A-Za-z])[qQd]${TO_INDEX}`, "u");
+
 /** What a row's cells say of its joint. @param {{d: string, theta: string}} cells @returns {JointType} */
 export function inferredJoint({ d, theta }) {
-  if (/(θ|ϑ|[Tt]heta|[qQ])_?[{]?[\d₀-₉]/u.test(theta)) return "revolute";
-  if (/(^|[^A-Za-z])([qQ]_?[{]?[\d₀-₉]|d_?[{]?[\d₀-₉])/u.test(d)) return "prismatic";
-  return "fixed";
+  if (TURNING.test(theta)) return "revolute";
+  return SLIDING.test(d) ? "prismatic" : "fixed";
 }

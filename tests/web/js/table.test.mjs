@@ -140,6 +140,29 @@ test("an angle that is usual in the other unit is doubted, whatever sum it is in
     assert.equal(doubted("rad", text), null, text);
 });
 
+test("a row's joint is told by its variable, however that is written", () => {
+  const written = [
+    ...[
+      "θ1",
+      "θ 1",
+      "θ ₁",
+      "theta[1]",
+      "theta(1)",
+      "θ*₁",
+      "\\theta^{*}_1",
+      "{\\theta}_1",
+      "{{\\theta }_{1}}",
+      "q 1 + 90",
+    ],
+    ...["Subscript[\\[Theta], 1]", "\\[Theta]1", "&theta;<sub>1</sub>", "Ѳ1", "𝜃₁"],
+  ];
+  for (const theta of written) assert.equal(model.inferredJoint({ d: "d1", theta }), "revolute", theta);
+  for (const d of ["q3", "d 3", "d[3]", "{{d}_{3}}", "Subscript[d, 3]", "d<sub>3</sub>", "L1 + d₃", "d^{*}_3"])
+    assert.equal(model.inferredJoint({ d, theta: "90" }), "prismatic", d);
+  for (const d of ["", "L1", "sqrt(2)", "0.3 m", "rad2", "q_L + 2"])
+    assert.equal(model.inferredJoint({ d, theta: "90 deg" }), "fixed", d);
+});
+
 test("undo and redo step over runs of typing", () => {
   const start = model.newTable("modified", 1);
   const history = new UndoHistory(start);
