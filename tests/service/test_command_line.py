@@ -281,11 +281,12 @@ def test_no_more_variants_are_prepared_than_are_shared_out(capsys: pytest.Captur
 def test_the_list_of_exercises_has_columns(capsys: pytest.CaptureFixture[str]) -> None:
     """Ids and titles longer than foreseen moved what stood behind them."""
     main(["exercises", "list"])
-    lines = capsys.readouterr().out.splitlines()
-    ids = [line.split()[0] for line in lines]
-    begins = {
-        line.index(exercise(each).title("en"), len(each)) for line, each in zip(lines, ids, strict=True)
-    }
+    begins = set()
+    for line in capsys.readouterr().out.splitlines():
+        found = exercise(line.split()[0])
+        parts = ", ".join(part.kind for part in found.parts)
+        assert line.endswith(f" {parts}")
+        begins.add((line.index(found.title("en"), len(found.id)), len(line) - len(parts)))
     assert len(begins) == 1
 
 
