@@ -21,6 +21,7 @@ from kinematics.cells.refusals import CellRefusal
 from kinematics.cells.syntax import Node
 from kinematics.cells.tables import RawRow
 from kinematics.cells.units import AngleUnit, ParameterKind
+from kinematics.cells.variable_marks import is_joint_variable
 from kinematics.cells.variables import Use, refuse_misspelled, refuse_numberless, uses
 from kinematics.errors import Fault, ParamValue
 from kinematics.expressions import ZERO, Expression, evaluate, parameters_in
@@ -88,8 +89,16 @@ def row_syntax(row: RawRow, limits: Limits) -> RowSyntax:
                     refuse_misspelled(node)
                 trees[cell] = node
         except CellRefusal as refusal:
-            faults[cell] = refusal.at()
+            faults[cell] = _without_a_product(refusal).at()
     return RowSyntax(trees=trees, numbers=numbers, faults=faults)
+
+
+def _without_a_product(refusal: CellRefusal) -> CellRefusal:
+    """What is said where an offset may be meant and no product: θ1 (+90°)."""
+    name = str(refusal.params.get("name"))
+    if refusal.code == "function_unknown" and is_joint_variable(name):
+        return CellRefusal("variable_called", column=refusal.column, name=name)
+    return refusal
 
 
 @cached_by_size(

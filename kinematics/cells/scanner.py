@@ -25,7 +25,7 @@ from kinematics.cells.limits import DEFAULT, Limits
 from kinematics.cells.refusals import CellRefusal
 from kinematics.cells.scanned_names import Scanned, scan_command, scan_name, token_at
 from kinematics.cells.unit_words import unit_refusal
-from kinematics.cells.variable_marks import is_joint_variable, without_marks
+from kinematics.cells.variable_marks import without_marks
 from kinematics.cells.wrapping import without_wrapping
 from kinematics.expressions import Function
 
@@ -211,8 +211,6 @@ def _without_math_marks(plain: str) -> str:
 def _refuse_calls(tokens: list[Token]) -> None:
     for name, bracket in pairwise(tokens):
         if name.type == "NAME" and bracket.type == "LPAR":
-            if is_joint_variable(name):
-                raise CellRefusal("variable_called", column=bracket.column or 0, name=str(name))
             functions = tuple(function.value for function in Function)
             raise CellRefusal(
                 "function_unknown", column=name.column or 0, name=str(name), functions=functions

@@ -151,6 +151,14 @@ def test_what_means_nothing_is_refused(cell, code):
     assert faults_of(raw_row(a=cell)) == [(code, ("rows", 0, "a"))]
 
 
+def test_where_a_joint_variable_may_be_multiplied_a_product_is_proposed():
+    """A slide times a sum, in an entry of a matrix: it was told to write an offset."""
+    with pytest.raises(CellError) as caught:
+        read_cell("q3(L1 + L2)", LENGTH)
+    (fault,) = caught.value.faults
+    assert (fault.code, fault.params["name"]) == ("function_unknown", "q3")
+
+
 @pytest.mark.parametrize("cell", ["θ1(+90°)", "θ1 (0)", "\\theta_1 (var)", "Q1(2)"])
 def test_no_product_is_proposed_where_something_in_parentheses_follows_a_joint_variable(cell):
     assert faults_of(raw_row(theta=cell)) == [("variable_called", ("rows", 0, "theta"))]
