@@ -1,6 +1,7 @@
 """The one function that grades an answer for every caller but the page itself, and the names of exercises."""
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,6 +12,8 @@ from exercises.errors import ExerciseError
 from exercises.grader import grade
 from exercises.library import Library, packaged
 from kinematics.cells import DEFAULT
+from kinematics.cells.refusals import CellRefusal
+from kinematics.cells.scanner import scan
 from kinematics.errors import Fault, KinematicsError
 from service.http.problems import ServiceError, fault_sentence
 from service.http.validation import validated
@@ -130,13 +133,20 @@ def with_joint_types(
 
 
 def _is_variable(cell: object) -> bool:
+    """Whether a joint variable stands in a cell, however it is written, or what looks like one."""
     if not isinstance(cell, str):
         return False
-    bare = cell.replace("\\", "").replace("_", "").replace(" ", "").lower()
+    if _names_a_variable(cell.replace("\\", "").replace("_", "").replace(" ", "")):
+        return True
+    with suppress(CellRefusal):
+        return any(_names_a_variable(token) for token in scan(cell) if token.type == "NAME")
+    return False
+
+
+def _names_a_variable(text: str) -> bool:
+    lower = text.lower()
     return any(
-        bare.count(f"{letter}{digit}")
-        for letter in ("q", "θ", "theta", "d")
-        for digit in "₁₂₃₄₅₆₇₈₉123456789"
+        f"{letter}{digit}" in lower for letter in ("q", "θ", "theta", "d") for digit in "₁₂₃₄₅₆₇₈₉123456789"
     )
 
 

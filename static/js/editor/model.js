@@ -237,7 +237,7 @@ export function fromWire(wire) {
 
 /** What may stand between a letter and its index: \theta_{1}, {{\theta }_{1}}, theta[1], θ<sub>1</sub>, θ*₁. */
 const TO_INDEX = String.raw`(?:[\s_{}[\](),;]|<sub>|\^?\{?(?:\*|\\ast\s*)\}?(?=[_₀-₉]))*[\d₀-₉]`;
-const TURNING = new RegExp(`(?:[θϑѲѳӨө𝜃]|[Tt]heta|[qQ])${TO_INDEX}`, "u");
+const TURNING = new RegExp(`(?:[θϑѲѳӨө𝜃]|[Tt]heta|THETA|[qQ])${TO_INDEX}`, "u");
 const SLIDING = new RegExp(`(?:^|[^A-Za-z])[qQd]${TO_INDEX}`, "u");
 
 /** What a row's cells say of its joint. @param {{d: string, theta: string}} cells @returns {JointType} */

@@ -167,7 +167,7 @@ function guessedColumns(body, shown) {
     row.filter((/** @type {any} */ _, /** @type {number} */ i) => i >= width - 4),
   );
   /** @param {number} k */
-  const holds = (k) => last.some((/** @type {any} */ cells) => /(θ|ϑ|theta|q)_?[{]?[\d₀-₉]/iu.test(cells[k] ?? ""));
+  const holds = (k) => last.some((cells) => inferredJoint({ d: "", theta: cells[k] ?? "" }) === "revolute");
   const turns = order.indexOf("theta");
   if (!holds(turns) && holds(3 - turns)) order.reverse();
   if (width === 4) return order;

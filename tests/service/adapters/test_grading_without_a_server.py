@@ -17,6 +17,7 @@ from service.adapters.gradebook import GradebookEntry, GradebookFormat, write_gr
 from service.adapters.hand_ins import hand_ins
 from service.adapters.hosts import HOSTS
 from service.adapters.hosts.assignment import Assignment
+from service.adapters.judging import with_joint_types
 from service.adapters.table_files import TableSettings
 from tests.exercises import folders
 
@@ -91,6 +92,19 @@ def test_an_exercise_that_was_mended_is_read_anew(tmp_path: Path) -> None:
         (entry,) = grade_class(ann, settings, jobs=1)
         found.append(entry.correct)
     assert found == [False, True]
+
+
+@pytest.mark.parametrize(
+    "variable",
+    ["q1", "theta[1]", "θ*₁", "{{\\theta }_{1}}", "Subscript[\\[Theta], 1]", "&theta;<sub>1</sub>"],
+    ["q1", "theta[1]", "θ*₁", "{{\\theta }_{1}}", "Subscript[\\[Theta], 1]", "&theta;<sub>1</sub>"],
+)
+def test_a_table_with_variables_gets_no_joint_types_of_the_exercise(variable: str) -> None:
+    """Its rows may be of other types, which is a mistake to be judged and no reason to refuse it."""
+    rows = [{"alpha": 0, "a": 0, "d": 0, "theta": cell} for cell in (variable, 0, "90°", "sqrt(2)")]
+    variables, numbers = ({"convention": "standard", "rows": some} for some in (rows, [rows[1]] * 4))
+    assert with_joint_types("scara", variables) == variables
+    assert all("joint" in row for row in with_joint_types("scara", numbers)["rows"])
 
 
 def test_a_file_nested_without_end_stops_nobody_elses_mark(class_folder: Path) -> None:

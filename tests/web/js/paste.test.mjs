@@ -191,6 +191,8 @@ test("LaTeX is spelled out, nested", () => {
 test("columns without headings are turned round where the joint variables say so", () => {
   const pasted = readPasted("0 0 0 θ1\n-90 a2 d2 θ2", ["theta", "d", "a", "alpha"]);
   assert.deepEqual(pasted.rows[1].cells, { alpha: "-90", a: "a2", d: "d2", theta: "θ2" });
+  const algebra = readPasted("0\t0\t0\ttheta[1]\n-90\ta2\td2\ttheta[2]", ["theta", "d", "a", "alpha"]);
+  assert.deepEqual(algebra.rows[1].cells, { alpha: "-90", a: "a2", d: "d2", theta: "theta[2]" });
   const usual = readPasted("θ1 0 0 90\nθ2 0 a2 0", ["theta", "d", "a", "alpha"]);
   assert.deepEqual(usual.rows[1].cells, { theta: "θ2", d: "0", a: "a2", alpha: "0" });
   const numbers = readPasted("0 0.1 0.2 90\n0 0 0.3 0", ["theta", "d", "a", "alpha"]);
