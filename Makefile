@@ -2,8 +2,8 @@
 SHELL := /bin/bash
 PYTHON ?= python3
 PORT ?= 8000
-# Three on two processors: one that waits for a page, a delay or a database leaves none idle. Each takes a good gigabyte.
-PROCESSES ?= $(shell cat /sys/fs/cgroup/memory.max /proc/meminfo 2> /dev/null | awk '/^[0-9]+$$/ {kB = $$1 / 1024} /^MemTotal/ && !(kB && kB < $$2) {kB = $$2} END {print (kB && kB < 6e6) ? 2 : 3}')
+# Three on two processors: one that waits for a page, a delay or a database leaves none idle.
+PROCESSES ?= 3
 ENGINE ?= $(if $(shell command -v docker),docker,podman)
 VENV := .venv
 PEERS := .venv-peers
