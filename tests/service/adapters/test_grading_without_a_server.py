@@ -97,7 +97,6 @@ def test_an_exercise_that_was_mended_is_read_anew(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "variable",
     ["q1", "theta[1]", "θ*₁", "{{\\theta }_{1}}", "Subscript[\\[Theta], 1]", "&theta;<sub>1</sub>"],
-    ["q1", "theta[1]", "θ*₁", "{{\\theta }_{1}}", "Subscript[\\[Theta], 1]", "&theta;<sub>1</sub>"],
 )
 def test_a_table_with_variables_gets_no_joint_types_of_the_exercise(variable: str) -> None:
     """Its rows may be of other types, which is a mistake to be judged and no reason to refuse it."""
