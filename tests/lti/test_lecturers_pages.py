@@ -102,7 +102,10 @@ def test_the_class_its_numbers_and_an_attempt(
     expect(page.get_by_role("button", name="Preview as a student")).to_be_hidden()
     expect(page.locator("#link table").first).to_be_visible()
     page.emulate_media(media="screen")
-    page.locator("#class").get_by_role("button", name="solved: 1").click()
+    number = page.locator("#class").get_by_role("button", name="solved: 1")
+    for opens in (number, page.locator("#link dl button").first):
+        expect(opens).not_to_have_css("border-top-color", "rgba(0, 0, 0, 0)")
+    number.click()
     expect(page.locator("#link").get_by_role("button", name="Open", exact=True)).to_have_count(1)
     page.locator("#link dl button").first.click()
     opened = page.get_by_role("button", name="Open", exact=True)

@@ -150,6 +150,20 @@ def test_on_a_phone_the_bar_of_progress_takes_two_lines(open_page: OpenPage) -> 
     assert page.locator(".progress").evaluate("({ offsetHeight }) => offsetHeight") < 90
 
 
+def test_parts_beyond_the_edge_of_a_phone_fade_and_the_last_one_does_not(open_page: OpenPage) -> None:
+    """The row was cut where an entry happened to end, and nothing told that it goes on."""
+    page = open_page("/exercises/rx90", width=360)
+    parts = page.locator(".progress ul")
+    expect(parts).to_have_css("mask-image", re.compile("linear-gradient"))
+    apart = """list => {
+        list.scrollLeft = list.scrollWidth;
+        const edge = ({ right }) => right;
+        return edge(list.getBoundingClientRect()) - edge(list.lastElementChild.getBoundingClientRect());
+    }"""
+    assert parts.evaluate("list => list.scrollWidth > list.clientWidth")
+    assert parts.evaluate(apart) >= 31
+
+
 def test_motion_starts_by_itself_only_where_it_is_welcome(open_page: OpenPage) -> None:
     page = open_page(
         "/exercises/scara", before=lambda page: page.emulate_media(reduced_motion="no-preference")
