@@ -12,6 +12,7 @@ search         damped least squares from many starts at once
 valleys        folds that a target only just reaches
 refinement     from candidates to solutions
 distinct       which solutions are the same
+degree         whether solutions can be all there are
 self_motions   families of solutions, and solutions that stand alone
 limits         turns of a joint into its range
 solver         one target, of an arm made ready

@@ -9,9 +9,9 @@ import numpy as np
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.methods.closed_form import NEARLY
 from kinematics.inverse.newton import evened, farthest_off, polish
-from kinematics.inverse.residuals import are_solutions, errors_at, errors_of
+from kinematics.inverse.residuals import are_solutions, errors_at
 from kinematics.inverse.self_motions.families import weighing_alike
-from kinematics.inverse.valleys import across_folds, way_to_fold
+from kinematics.inverse.valleys import STRIDE, across_folds, way_to_fold
 from kinematics.se3 import Transform
 
 AS_IT_IS = 1e-13
@@ -57,7 +57,7 @@ def refined(arm: Arm, candidates: Array, target: Transform, tolerance: float) ->
             q[beside] = polish(alike, target, start[beside])
             reached = are_solutions(errors_at(arm, q, target), arm, tolerance)
         left = beside & ~reached
-        q[left] = across_folds(alike, target, start[left], math.sqrt(tolerance))
+        q[left] = _onto_folds(alike, target, start[left], tolerance)
         vectors = errors_at(arm, q, target)
         reached = are_solutions(vectors, arm, tolerance)
         if not reached[beside].all():
@@ -66,7 +66,24 @@ def refined(arm: Arm, candidates: Array, target: Transform, tolerance: float) ->
     return np.asarray(q[reached]), np.asarray(q[~reached])
 
 
-def settled_on_folds(arm: Arm, target: Transform, solutions: Array) -> Array:
+def _onto_folds(arm: Arm, target: Array, candidates: Array, tolerance: float) -> Array:
+    """Return the least errors beside candidates: across folds, or on the fold itself where that is less.
+
+    Of a target out of reach the error is least on the fold. How far from it a candidate may be and reach what
+    it can within the tolerance is a matter of the fold's curvature, which steps across it do not know.
+    """
+    least = math.sqrt(tolerance)
+    q = across_folds(arm, target, candidates, least)
+    U, _, Vt = np.linalg.svd(arm.jacobians(arm.frames(q)) * arm.units)
+    last = arm.generic_rank - 1
+    way = way_to_fold(arm, q, U[:, :, last], Vt[:, last])
+    on = q + np.where(np.abs(way) < STRIDE, way, 0.0)[:, None] * Vt[:, last] * arm.units
+    both = np.stack((q, across_folds(arm, target, on, least)))
+    errors = np.array([np.linalg.norm(errors_at(arm, each, target), axis=1) for each in both])
+    return np.asarray(np.where((errors[1] < errors[0])[:, None], both[1], both[0]))
+
+
+def settled_on_folds(arm: Arm, target: Transform, solutions: Array, jacobians: Array) -> Array:
     """Return solutions, those on a fold that rounding has moved off it: an elbow stretched, not all but.
 
     At a fold two solutions are one; along the way v that the Jacobian does not see the error grows with the
@@ -74,8 +91,7 @@ def settled_on_folds(arm: Arm, target: Transform, solutions: Array) -> Array:
     """
     if arm.redundancy:
         return solutions
-    frames = arm.frames(solutions)
-    U, values, Vt = np.linalg.svd(arm.jacobians(frames) * arm.units)
+    U, values, Vt = np.linalg.svd(jacobians)
     last = arm.generic_rank - 1
     beside = np.flatnonzero((values[:, last] > 0.0) & (values[:, last] <= FOLDED))
     if not len(beside):
@@ -85,7 +101,7 @@ def settled_on_folds(arm: Arm, target: Transform, solutions: Array) -> Array:
     for _ in range(2):
         q = q + way_to_fold(arm, q, u, v)[:, None] * v * arm.units
     errors = np.linalg.norm(errors_at(arm, q, target), axis=1)
-    before = np.linalg.norm(errors_of(arm, frames[-1][beside], target), axis=1)
+    before = np.linalg.norm(errors_at(arm, solutions[beside], target), axis=1)
     settled = errors <= np.maximum(before, ROUNDED)
     found = solutions.copy()
     found[beside[settled]] = q[settled]

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinematics.inverse.arm import Arm, ArmReach, Array
+from kinematics.inverse.degree import signs_cancel
 from kinematics.inverse.distinct import differences
 from kinematics.inverse.goals import LARGEST_TOLERANCE, ROUNDING, Goal, read_goal
 from kinematics.inverse.limits import within_limits
@@ -141,7 +142,7 @@ class Solver:
         """What the closed form alone says, never long; None if it has no solution within the limits.
 
         None, too, where solutions may be of families, or others at the ends of valleys: both would have to be
-        followed.
+        followed; and where one must have been lost.
 
         Arguments and refusals are those of `solve`.
         """
@@ -162,7 +163,8 @@ class Solver:
         found, _ = roots
         alone, delicate = told_apart(self.arm, goal.pose, found, goal.tolerance)
         parts = [Component(found[i]) for i in alone]
-        return None if delicate else self._answer_of(parts, goal, Method.CLOSED_FORM)
+        answer = None if delicate else self._answer_of(parts, goal, Method.CLOSED_FORM)
+        return answer if answer is not None and answer.complete else None
 
     def _directly(self, goal: Goal) -> InverseKinematics | None:
         answer = self._at_once(goal)
@@ -224,8 +226,12 @@ class Solver:
         arm = self.arm
         alone = [part.joints for part in parts if not part.dimension]
         found: list[tuple[Array, Family | None]] = []
+        whole = method is Method.CLOSED_FORM and len(alone) == len(parts) <= MOST_ISOLATED
         if alone:
-            settled = settled_on_folds(arm, goal.pose, np.array(alone))
+            joints = np.array(alone)
+            jacobians = arm.jacobians(arm.frames(joints)) * arm.units
+            whole = whole and signs_cancel(arm, jacobians, goal.tolerance)
+            settled = settled_on_folds(arm, goal.pose, joints, jacobians)
             inside, fits = within_limits(settled, arm.revolute, self.box, arm.size)
             found += [(q, None) for q in inside[fits]]
         follower = Follower(arm, goal.pose, goal.tolerance)
@@ -240,7 +246,7 @@ class Solver:
         most = max((part.dimension for part in continua), default=0)
         return InverseKinematics(
             status=IKStatus.SINGULAR if most > arm.redundancy else IKStatus.SOLVED,
-            complete=method is Method.CLOSED_FORM and not continua and len(alone) <= MOST_ISOLATED,
+            complete=whole,
             method=method,
             solutions=self._told(found, goal.pose),
             outside_limits=outside + len(parts) - reached,
@@ -288,6 +294,10 @@ class Solver:
             if answer is not None:  # of a target that was rounded by a little more than it shows
                 return answer
             outside = len(parts)
+            if outside and not any(part.dimension for part in parts):
+                jacobians = self.arm.jacobians(self.arm.frames(np.array([part.joints for part in parts])))
+                all_there = signs_cancel(self.arm, jacobians * self.arm.units, goal.tolerance)
+                method = method if all_there else Method.SEARCH
         freely = None
         if not outside and not (self.arm.redundancy and self.box.limited):
             freely = self._search(goal, Bounds.IGNORED)

@@ -30,7 +30,7 @@ from kinematics.se3 import cross_arrays, inverse_transform
 
 NEARLY_REAL = 0.05
 """Imaginary part of an angle up to which it is tried: two solutions that meet leave the real line
-together."""
+together, and rounding makes a complex pair of two that are near each other."""
 
 WELL_CONDITIONED = 1e9
 """Largest condition of the leading matrix with which an eigenproblem is worth its digits: Newton steps
@@ -199,14 +199,14 @@ def _middle_turns(waves: Array) -> tuple[Array, NDArray[np.bool_]] | None:
         x3 = _ratio(v[:12], v[12:])
         monomials = (v[12:] if abs(x3) > 1.0 else v[:12]).reshape(4, 3)
         tangents = x3, _ratio(monomials[:-1], monomials[1:]), _ratio(monomials[:, :-1], monomials[:, 1:])
-        found[i] = 2.0 * np.arctan(tangents) + shift
+        found[i] = 2.0 * np.arctan([x.real + x.imag for x in tangents]) + shift
     return found, real
 
 
 def _parted(
     x: NDArray[np.complex128], vectors: NDArray[np.complex128]
 ) -> tuple[NDArray[np.complex128], NDArray[np.bool_]]:
-    """One vector for each solution, (m, 24), and which are real, (m,); of complex pairs one alone.
+    """One vector for each solution, (m, 24), and which are real, (m,).
 
     Solutions with one q_3 have one eigenvalue, and their eigenvectors are any that span the same space. In it
     x_4 and x_5 are linear maps, which have the solutions' own vectors for eigenvectors.
@@ -223,8 +223,8 @@ def _parted(
             basis = basis[: len(group)][scales[: len(group)] > INDEPENDENT * scales[0]]
             values, inner = np.linalg.eig(_maps(basis))
             members = inner.T @ basis
-        found += [v for value, v in zip(values, members, strict=True) if value.imag >= 0.0]
-        real += [bool(value.imag == 0.0) for value in values if value.imag >= 0.0]
+        found += [*members]
+        real += [bool(value.imag == 0.0) for value in values]
     return np.array(found, dtype=np.complex128).reshape(-1, 24), np.array(real, dtype=bool)
 
 
@@ -241,10 +241,10 @@ def _map(lower: Array, upper: Array) -> Array:
     return np.asarray(np.linalg.lstsq(lower.reshape(k, -1).T, upper.reshape(k, -1).T, rcond=None)[0])
 
 
-def _ratio(lower: Array, upper: Array) -> float:
+def _ratio(lower: NDArray[np.complex128], upper: NDArray[np.complex128]) -> complex:
     """The factor from monomials to their multiples, by least squares."""
     lower, upper = lower.ravel(), upper.ravel()
-    return float((np.vdot(lower, upper) / max(float(np.vdot(lower, lower).real), 1e-300)).real)
+    return complex(np.vdot(lower, upper) / max(float(np.vdot(lower, lower).real), 1e-300))
 
 
 def _quadratic(waves: Array, shift: tuple[float, float, float]) -> tuple[Array, Array, Array]:

@@ -81,6 +81,15 @@ MODELS: dict[str, DHTable] = {
         (math.pi / 3, 0.0, -0.0857),
         (math.pi, 0.0, -0.2028),
     ),
+    "mico": _turning(
+        STANDARD,
+        (RIGHT, 0.0, 0.2755),
+        (math.pi, 0.29, 0.0),
+        (RIGHT, 0.0, -0.007),
+        (math.pi / 3, 0.0, -0.1233 - 0.0741 / math.sqrt(3.0)),
+        (math.pi / 3, 0.0, -2.0 * 0.0741 / math.sqrt(3.0)),
+        (math.pi, 0.0, -0.1600 - 0.0741 / math.sqrt(3.0)),
+    ),
     "five joints": _turning(
         STANDARD,
         (RIGHT, 0.025, 0.147),
@@ -101,5 +110,5 @@ MODELS: dict[str, DHTable] = {
     ),
 }
 """Sources: Universal Robots, DH parameters for calculations of kinematics and dynamics (UR3, UR5, UR10);
-ABB, IRB 140 product specification; KUKA, KR 5 arc specification; Kinova, JACO² 6 DOF advanced
-specification guide (wrist of 60°); KUKA, youBot arm; Franka Emika, FCI documentation (Panda)."""
+ABB, IRB 140 product specification; KUKA, KR 5 arc specification; Kinova, advanced specification guides of the
+JACO² 6 DOF and the MICO² 6 DOF (wrists of 60°); KUKA, youBot arm; Franka Emika, FCI documentation (Panda)."""
