@@ -49,6 +49,8 @@ _GREEK_NAMES = set(GREEK.values()) - {"pi"}
 
 _SUBSCRIPT = "[" + "".join(SUBSCRIPTS) + "]+|_(?:[A-Za-z0-9]+|\\{ *[A-Za-z0-9]+ *\\})"
 _NAME = re.compile(f"([A-Za-z]+|[{''.join(GREEK)}])([0-9]*)((?: *(?:{_SUBSCRIPT}))*)")
+_SHORT_SINE = re.compile(r"([cs])_([0-9]+)(?=[cs]_?[0-9])")
+"""A sine or cosine in short with another behind it, c_1c_2, as TeX sets it: the index is the number alone."""
 _INDEX = re.compile(f"([0-9]*)((?: *(?:{_SUBSCRIPT}))*)")
 _SEGMENT = re.compile(_SUBSCRIPT)
 _COMMAND = re.compile(r"\\([A-Za-z]+|.?)", re.DOTALL)
@@ -72,6 +74,9 @@ def scan_name(plain: str, start: int, limits: Limits) -> Scanned:
     if dotted:
         name = _spelled("dq", dotted.group(1), dotted.group(2), start)
         return [token_at("NAME", name, start)], dotted.end()
+    short = _SHORT_SINE.match(plain, start)
+    if short:
+        return [token_at("NAME", short[1] + short[2], start)], short.end()
     match = _NAME.match(plain, start)
     radians = _FROM_DEGREES.match(plain, start)
     if radians:

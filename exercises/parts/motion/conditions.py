@@ -42,6 +42,8 @@ MOST_CONDITIONS = 16  # In a cell: as many as rows of cells are read. Each takes
 LONGEST = 2000  # Characters of a cell with conditions.
 _INTEGERS = re.compile(r"\b[knm]\s*(?:∈|\bin\b)\s*(?:ℤ|\bZ\b|\bintegers?\b).*$")
 _LETTER = re.compile(r"(?<![A-Za-z_])[knm](?=(?:pi|π)\b|π|[^A-Za-z_0-9(]|$)")
+_ONE_OF = re.compile(r"(?:∈|\\in\b)\s*\\?\{((?:[^{}]|\{[^{}]*\})*?)\\?\}(?=\s*(?:[,;]|$))")
+"""The values of a variable as a set: q2 ∈ {0, π}."""
 _DASHES = " -–—−"
 _OR = re.compile(r"(?<=\s)(?:o|ou|u|sau|або|чи)(?=\s)|\bor\b|∨|\n")
 """Between conditions, in the languages of the pages."""
@@ -118,7 +120,7 @@ def _no_condition(cell: Cell, where: Where) -> Fault:
 
 def _equations(text: str) -> Iterator[_Equation]:
     left: str | None = None
-    for piece in _pieces(_OR.sub(";", text)):
+    for piece in _pieces(_ONE_OF.sub(r"= \1", _OR.sub(";", text))):
         if "=" in piece:
             left, piece = (side.strip() for side in piece.split("=", 1))
         if left is None:

@@ -350,6 +350,23 @@ def test_a_name_that_makes_no_difference_is_unknown_in_conditions(condition: str
 
 
 @pytest.mark.parametrize(
+    ("conditions", "right"),
+    [
+        (("q2 ∈ {0, π}",), True),
+        (("q2 \\in \\{0, \\pi\\}",), True),
+        (("q2 ∈ {0; 180°} (k ∈ Z)",), True),
+        (("q2 ∈ {0, π/2}",), False),
+        (("q2 ∈ {0}",), False),
+    ],
+)
+def test_the_values_of_an_angle_may_be_a_set(conditions: tuple[str, ...], right: bool) -> None:
+    cells = SingularityCells(conditions=(conditions,), lost=(1, 0, 0))
+    report = part(judged("twolink-singularities", singularities=cells), "singularities")
+    told = {entry.code for entry in report.feedback}
+    assert (not told & {"singularities_missing", "singularity_invented"}) is right
+
+
+@pytest.mark.parametrize(
     ("x", "right"),
     [
         ("1.002*a2*c1 + a3*c12", False),

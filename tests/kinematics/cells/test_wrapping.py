@@ -31,6 +31,10 @@ ANGLE, LENGTH = ParameterKind.ANGLE, ParameterKind.LENGTH
         ("\\[CapitalTheta]1", "q1"),
         ("\\[CurlyTheta]1", "q1"),
         ("90\\[Degree]", "90°"),
+        # siunitx
+        ("\\ang{90}", "90°"),
+        ("q1 - \\ang{22.5}", "q1 - 22.5°"),
+        ("-\\ang{ 90 }", "-90°"),
         # pages
         ("90&deg;", "90°"),
         ("&minus;&pi;/2", "-pi/2"),
@@ -95,6 +99,8 @@ def test_angle(pasted, plain):
         # an index in braces, or a lowered one, ends where it ends
         ("c₁c₂ − s₁s₂", "c1*c2 - s1*s2"),
         ("c_{1}c_{2}-s_{1}s_{2}", "c1*c2 - s1*s2"),
+        ("c_1c_2 - s_1s_2", "c1*c2 - s1*s2"),
+        ("L1*c_{1}c_2+s_12c3", "L1*c1*c2 + s12*c3"),
         ("L_{max}x", "L_max*x"),
         ("cosθ₁cosθ₂ - sinq1sinq2", "cos(θ1)*cos(θ2) - sin(q1)*sin(q2)"),
         ("L1 cosq_{12}", "L1*cos(q12)"),
