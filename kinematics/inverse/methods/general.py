@@ -172,7 +172,9 @@ def _functions(p: Array, l: Array) -> Array:  # noqa: E741
 def _middle_turns(waves: Array) -> tuple[Array, NDArray[np.bool_]] | None:
     """Return q_3, q_4, q_5, (m, 3), at which six equations hold, and which are real, (m,).
 
-    None where the equations hold for every q_3, or no eigenproblem is well conditioned.
+    Of a complex pair its middle is tried, where two solutions have met, and both sides, where they may be if
+    rounding has made the pair. None where the equations hold for every q_3, or no eigenproblem is well
+    conditioned.
     """
     best = None
     for shift in _SHIFTS:
@@ -193,20 +195,21 @@ def _middle_turns(waves: Array) -> tuple[Array, NDArray[np.bool_]] | None:
     with np.errstate(all="ignore"):
         off = np.abs(2.0 * x.imag / (1.0 + x * x))
     near = off <= NEARLY_REAL
-    vectors, real = _parted(x[near], vectors.T[near])
-    found = np.empty((len(vectors), 3))
+    vectors, sides = _parted(x[near], vectors.T[near])
+    tangents = np.empty((len(vectors), 3), dtype=np.complex128)
     for i, v in enumerate(vectors):
         x3 = _ratio(v[:12], v[12:])
         monomials = (v[12:] if abs(x3) > 1.0 else v[:12]).reshape(4, 3)
-        tangents = x3, _ratio(monomials[:-1], monomials[1:]), _ratio(monomials[:, :-1], monomials[:, 1:])
-        found[i] = 2.0 * np.arctan([x.real + x.imag for x in tangents]) + shift
-    return found, real
+        tangents[i] = x3, _ratio(monomials[:-1], monomials[1:]), _ratio(monomials[:, :-1], monomials[:, 1:])
+    middles = tangents.real[sides > 0.0]
+    tried = np.concatenate((tangents.real + tangents.imag, middles))
+    return 2.0 * np.arctan(tried) + shift, np.concatenate((sides == 0.0, np.zeros(len(middles), dtype=bool)))
 
 
 def _parted(
     x: NDArray[np.complex128], vectors: NDArray[np.complex128]
-) -> tuple[NDArray[np.complex128], NDArray[np.bool_]]:
-    """One vector for each solution, (m, 24), and which are real, (m,).
+) -> tuple[NDArray[np.complex128], Array]:
+    """One vector for each solution, (m, 24), and the imaginary parts of their eigenvalues, (m,).
 
     Solutions with one q_3 have one eigenvalue, and their eigenvectors are any that span the same space. In it
     x_4 and x_5 are linear maps, which have the solutions' own vectors for eigenvectors.
@@ -215,7 +218,7 @@ def _parted(
     order = np.argsort(angles, kind="stable")
     starts = np.flatnonzero(np.diff(angles[order], prepend=-np.inf) > COINCIDENT)
     found: list[NDArray[np.complex128]] = []
-    real: list[bool] = []
+    sides: list[float] = []
     for group in np.split(order, starts[1:]):
         values, members = x[group], vectors[group]
         if len(group) > 1:
@@ -224,8 +227,8 @@ def _parted(
             values, inner = np.linalg.eig(_maps(basis))
             members = inner.T @ basis
         found += [*members]
-        real += [bool(value.imag == 0.0) for value in values]
-    return np.array(found, dtype=np.complex128).reshape(-1, 24), np.array(real, dtype=bool)
+        sides += [float(value.imag) for value in values]
+    return np.array(found, dtype=np.complex128).reshape(-1, 24), np.array(sides)
 
 
 def _maps(basis: Array) -> Array:
