@@ -6,6 +6,7 @@ as long as it was, so that columns remain those of what was typed.
 """
 
 import re
+from collections.abc import Callable
 from html import unescape
 
 from kinematics.cells.characters import GREEK, SUBSCRIPTS
@@ -60,16 +61,24 @@ def without_wrapping(text: str) -> str:
         text = " " * start + text[start:end] + " " * (len(text) - end)
     text = _without_markup(text)
     text = _MODULE.sub(lambda module: " " * len(module[0]), text)
-    plain = _EQUALS.sub(r"\1 ", text, count=1) if _EQUALS.match(text) else text
-    plain = text = _called(_COUNTED.sub(r"\1_\2 ", plain))
-    plain = text = _STAR_FIRST.sub(lambda star: f"{star[1]}{star[2]}".ljust(len(star[0])), plain)
-    plain = text = _without_braces(plain)
-    if "\\" not in plain:
-        return plain
+    if _EQUALS.match(text):
+        text = _EQUALS.sub(r"\1 ", text, count=1)
+    text = _COUNTED.sub(r"\1_\2 ", text)
+    if "[" in text:
+        text = _from_within(_ALGEBRA_CALL, r"\1(\2)", text)
+    text = _STAR_FIRST.sub(lambda star: f"{star[1]}{star[2]}".ljust(len(star[0])), text)
+    if "{" in text:
+        text = _EMPTY_BRACES.sub(lambda braces: " " * len(braces[0]), text)
+        text = _from_within(_BRACED, r"\1  \2", text)
+    return _SPACING.sub("  ", _from_within(_FONT, _unwrapped, text)) if "\\" in text else text
+
+
+def _from_within(wrapped: re.Pattern[str], plain: str | Callable[[re.Match[str]], str], text: str) -> str:
+    """Return a text without what may stand in itself, the innermost first."""
     before = ""
-    while before != plain:
-        before, plain = plain, _FONT.sub(_unwrapped, plain)
-    return _SPACING.sub("  ", plain)
+    while before != text:
+        before, text = text, wrapped.sub(plain, text)
+    return text
 
 
 def _without_markup(text: str) -> str:
@@ -86,23 +95,6 @@ def _without_markup(text: str) -> str:
         text = _ESCAPED_INDEX.sub(r"\1 ", text)
         text = _ANGLE.sub(lambda angle: f"{' ' * len(angle[1])}{angle[2]}°", text)
     return text
-
-
-def _called(text: str) -> str:
-    before = ""
-    while before != text and "[" in text:
-        before, text = text, _ALGEBRA_CALL.sub(r"\1(\2)", text)
-    return text
-
-
-def _without_braces(text: str) -> str:
-    if "{" not in text:
-        return text
-    plain = _EMPTY_BRACES.sub(lambda braces: " " * len(braces[0]), text)
-    before = ""
-    while before != plain:
-        before, plain = plain, _BRACED.sub(r"\1  \2", plain)
-    return plain
 
 
 def _character(entity: re.Match[str]) -> str:

@@ -140,7 +140,8 @@ def test_many_solutions_are_looked_for_on_a_path_together(monkeypatch):
     assert any(members.within(one, joints) for joints in between)
 
 
-def test_corrections_of_a_bent_path_start_where_it_bends(monkeypatch):
+def evaluations(monkeypatch):
+    """How many errors and Jacobians corrections evaluate, call by call."""
     calls = []
     evaluate = corrections.errors_and_jacobians
 
@@ -149,6 +150,11 @@ def test_corrections_of_a_bent_path_start_where_it_bends(monkeypatch):
         return evaluate(arm, x, target)
 
     monkeypatch.setattr(corrections, "errors_and_jacobians", evaluated)
+    return calls
+
+
+def test_corrections_of_a_bent_path_start_where_it_bends(monkeypatch):
+    calls = evaluations(monkeypatch)
     steps = counted(monkeypatch)
     _, _, path = followed()
     assert len(path.points) > 50
@@ -157,14 +163,7 @@ def test_corrections_of_a_bent_path_start_where_it_bends(monkeypatch):
 
 def test_what_misses_a_rounded_target_is_not_corrected_on(monkeypatch):
     """The slide of a Stanford arm all but drawn in, its pose known to 1e-4: what is missed by stays."""
-    calls = []
-    evaluate = corrections.errors_and_jacobians
-
-    def evaluated(arm, x, target):
-        calls.append(len(x))
-        return evaluate(arm, x, target)
-
-    monkeypatch.setattr(corrections, "errors_and_jacobians", evaluated)
+    calls = evaluations(monkeypatch)
     corrected = counted(monkeypatch)
     table = MODELS["catalogue stanford"]
     q = [-0.76087301, 0.43248765, -0.014916628, 0.135530992, 2.471018047, 2.20923204]
