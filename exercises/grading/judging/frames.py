@@ -2,7 +2,7 @@
 
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Set
 from dataclasses import dataclass
 
 from exercises.grading.judging.certificate_report import in_unit
@@ -45,7 +45,8 @@ def explained(
         told.append(Feedback(code="other_convention", params={"convention": answer.convention.value}))
     if _same_layout(key, answer):
         told += _frames(key, answer, certificate, noticed)
-        told += _variables(told, key, answer, certificate, exact, unit, noticed)
+        elsewhere = {said.params["frame"] for said in told}
+        told += _variables(elsewhere, key, answer, certificate, exact, unit, noticed)
     else:
         told += _joints(key, answer, certificate)
         told += _zeros(answer, certificate, exact, unit, noticed)
@@ -114,7 +115,7 @@ def _frames(
 
 
 def _variables(
-    told: Sequence[Feedback],
+    elsewhere: Set[ParamValue],
     key: NumericTable,
     answer: NumericTable,
     certificate: Certificate,
@@ -124,15 +125,18 @@ def _variables(
 ) -> Iterator[Feedback]:
     """Joint by joint, where frames correspond: the variable counts from elsewhere, or the other way.
 
-    Beside a frame that lies elsewhere the variable's zero follows from the frame, of which is told already.
+    Beside a frame that is `elsewhere`, by its number, the variable's zero follows from what is told of that.
     """
-    apart = {said.params["frame"] for said in told}
     of_joints = (
         *_joints(key, answer, certificate),
         *_zeros(answer, certificate, exact, unit, noticed),
     )
     for said in of_joints:
-        if said.code in OF_VARIABLES and said.row is not None and apart.isdisjoint({said.row - 1, said.row}):
+        if (
+            said.code in OF_VARIABLES
+            and said.row is not None
+            and elsewhere.isdisjoint({said.row - 1, said.row})
+        ):
             yield said
 
 
