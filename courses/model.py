@@ -100,7 +100,7 @@ class LinkSettings:
         exercise_id: None until a teacher has chosen one.
         parts: kinds of the parts that are asked; empty for all of the exercise's.
         help: most help that is given; None for what the exercise allows.
-        points: what all points are worth in the gradebook.
+        points: what a full score is worth in the gradebook.
         per_student: every student has values of their own.
         variants: so many sets of values are shared out among the students instead; None: by `per_student`.
         language: the page's language; None for the student's.

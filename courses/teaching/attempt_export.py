@@ -25,7 +25,7 @@ class ExportedAttempt:
         path: the codes of this judgement.
         person: pseudonym of the student.
         points: what the attempt is worth in the gradebook, after the penalty for attempts before it.
-        max_points: what all points are worth there.
+        max_points: what a full score is worth there.
         counted: it makes the student's grade.
     """
 
