@@ -171,7 +171,7 @@ def hides_an_entry(work: Work, change: Change) -> bool:
     """Return whether an entry that no key has is as good as none with a change throughout the table.
 
     A wrong twist or length is before the first joint and behind the last one, where columns may be moved to
-    by a row; and a small twist is that is read in degrees instead of radians.
+    by a row or by the other convention; and a small twist is that is read in degrees instead of radians.
     """
     if change.code == "angles_in_degrees":
         least = work.policy.tolerance.angle
@@ -179,9 +179,10 @@ def hides_an_entry(work: Work, change: Change) -> bool:
             cell == "alpha" and abs(value) <= least < abs(work.table.rows[row].alpha)
             for row, cell, value in change.cells
         )
-    if change.code not in LATE | EARLY:
+    late = change.code in LATE | ({"convention"} if work.table.convention is Convention.STANDARD else set())
+    if not late and change.code not in EARLY | {"convention"}:
         return False
-    row, key = (0 if change.code in LATE else -1), work.reference.table.rows
+    row, key = (0 if late else -1), work.reference.table.rows
     tolerance = {
         "alpha": work.policy.tolerance.angle,
         "a": work.policy.tolerance.length * work.reference.size,

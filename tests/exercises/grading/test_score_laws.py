@@ -97,6 +97,18 @@ def test_rows_missing_one_after_the_other_never_raise_the_mark(seed: int) -> Non
     assert scores == sorted(scores, reverse=True)
 
 
+def test_the_other_convention_hides_no_entry_that_the_key_does_not_have() -> None:
+    """Read as modified, the first row of a standard wrist lies before its first joint, where all is free."""
+    key = tables.modified((R, HALF, 0, 0, 0), (R, -HALF, 0, 0, 2 * HALF), (R, HALF, 0, 0, HALF))
+    own = tables.modified(
+        (R, HALF, 0, 0, 0), (R, -1.1552, 0.2143, 0.384, 2 * HALF), (R, HALF, 0, -0.2244, HALF)
+    )
+    standard = tables.standard(
+        (R, -1.9864, -0.2143, 1.5436, 0), (R, -HALF, 0, 0.384, 0), (R, 0, 0, 0.4681, 0)
+    )
+    assert score(key, own) == score(key, standard)
+
+
 TYPES = st.lists(st.booleans(), min_size=3, max_size=8).map(lambda joints: (False, *joints, False))
 
 
