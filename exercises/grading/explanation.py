@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 from typing import NamedTuple
 
-from exercises.grading.coarse import is_rounded_too_much
+from exercises.grading.coarse import is_right_with_more_digits, is_rounded_too_much
 from exercises.grading.edits.accused import accused, own_table_first
 from exercises.grading.edits.changes import Change
 from exercises.grading.edits.repairs import MOST_WORK, Repaired, find_repairs
@@ -109,6 +109,8 @@ def diagnosis(
     try:
         if decision is not IMPRECISE and known is None:
             repairs = find_repairs(replace(work, meter=meter))
+        if decision.same_robot and is_right_with_more_digits(work, repairs):
+            decision, repairs = IMPRECISE, ()
     except Exception:
         _LOG.exception("no repairs")
     try:

@@ -49,10 +49,10 @@ def _links(table: NumericTable) -> list[_Link]:
     return [*links, _Link(JointType.FIXED, alpha, a, 0.0)]
 
 
-def is_length_of(key: NumericTable, value: float) -> bool:
-    """Return whether a length, with either sign, stands in the key, to within a per cent."""
+def is_length_of(key: NumericTable, value: float, share: float = PER_CENT) -> bool:
+    """Return whether a length, with either sign, stands in the key, to within a share of itself."""
     return any(
-        abs(abs(value) - abs(length)) <= PER_CENT * abs(length)
+        abs(abs(value) - abs(length)) <= share * abs(length)
         for row in key.rows
         for length in (row.a, row.d)
         if length

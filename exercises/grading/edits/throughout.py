@@ -24,6 +24,7 @@ from exercises.grading.judging.digits import PER_CENT
 from exercises.grading.judging.judgement import share_of
 from exercises.grading.judging.typed import SAME, says_enough
 from kinematics.chain import chain_of_table
+from kinematics.equivalence.batches import CellChange
 from kinematics.equivalence.invariants import axes_of
 from kinematics.table import LENGTHS, NumericTable
 
@@ -91,16 +92,28 @@ def _facts_right(work: Work, table: NumericTable) -> int:
 
 def lengths_rounded(work: Work) -> Iterator[Change]:
     """Give lengths that were rounded to too few digits all those of the key's."""
+    cells = _rounded_lengths(work, PER_CENT)
+    if len(cells) > 1 and share_of(work.comparison):
+        yield Change(ROUNDED, Extent.TABLE, cells=cells)
+
+
+def _rounded_lengths(work: Work, share: float) -> tuple[CellChange, ...]:
+    """Lengths of the key that typed ones are within their digits, if these are off by more than a share."""
     lengths = {abs(length) for row in work.reference.table.rows for length in (row.a, row.d)} - {0.0}
     cells = []
-    for (i, cell), step in work.comparison.steps.items():
+    for (i, cell), step in work.comparison.steps.items() if lengths else ():
         here = getattr(work.table.rows[i], cell)
-        if cell in LENGTHS and says_enough(step, here) and lengths:
+        if cell in LENGTHS and says_enough(step, here):
             nearest = min(lengths, key=lambda length: abs(length - abs(here)))
-            if PER_CENT * nearest < abs(nearest - abs(here)) <= step * (1.0 + SAME):
+            if share * nearest < abs(nearest - abs(here)) <= step * (1.0 + SAME):
                 cells.append((i, cell, math.copysign(nearest, here)))
-    if len(cells) > 1 and share_of(work.comparison):
-        yield Change(ROUNDED, Extent.TABLE, cells=tuple(cells))
+    return tuple(cells)
+
+
+def as_the_key_has_them(work: Work) -> Comparison | None:
+    """Return the answer with the key's lengths for those that they are within their digits; None if none."""
+    cells = _rounded_lengths(work, SAME)
+    return _undone(work.comparison, Change(ROUNDED, Extent.TABLE, cells=cells)) if cells else None
 
 
 def _undone(comparison: Comparison, change: Change) -> Comparison:

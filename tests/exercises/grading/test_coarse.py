@@ -142,3 +142,68 @@ def test_too_few_digits_cost_beside_a_wrong_length_what_a_wrong_sign_does() -> N
     assert "lengths_rounded" not in _codes(
         grade(_puma(NAMES), _puma((0.4, 0, 0.2, 0.4)), FREE, VALUES, help_level=HelpLevel.VERDICT)
     )
+
+
+ENDS = [
+    Policy(tool=ToolRule.POINT),
+    Policy(base=BaseRule.ORIGIN, tool=ToolRule.POINT),
+    Policy(base=BaseRule.FRAME, tool=ToolRule.FRAME),
+    Policy(base=BaseRule.FRAME, tool=ToolRule.FRAME, zero=ZeroRule.FIGURE),
+]
+
+
+def _long_puma(*lengths: Cell) -> ReadTable:
+    """PUMA on its pedestal, with a tool."""
+    d1, a2, a3, d3, d4, d6 = lengths
+    rows: list[tuple[Cell, Cell, Cell, Cell]] = [
+        (90, 0, d1, "q1"),
+        (0, a2, 0, "q2"),
+        (-90, a3, d3, "q3"),
+        (90, 0, d4, "q4"),
+        (-90, 0, 0, "q5"),
+        (0, 0, d6, "q6"),
+    ]
+    return read("standard", rows, "deg")
+
+
+LONG = _long_puma(0.672, 0.4318, 0.0203, 0.15005, 0.4318, 0.193)
+TOO_FEW_DIGITS = _codes(grade(_puma(NAMES), _puma((0.4, 0.02, 0.2, 0.4)), FREE, VALUES))
+
+
+@pytest.mark.parametrize("policy", ENDS)
+@pytest.mark.parametrize(
+    "lengths",
+    [
+        (0.672, 0.4318, 0.0203, 0.15005, 0.4318, 0.2),
+        (0.67, 0.43, 0.02, 0.15, 0.43, 0.2),
+        (0.7, 0.43, 0.02, 0.15, 0.43, 0.2),
+    ],
+)
+def test_a_rule_that_only_the_digits_break_accuses_no_cell(lengths: Any, policy: Policy) -> None:
+    """0.2 for a tool of 0.193 was told as a wrong offset, and cost more than 0.4 for 0.4318 beside it."""
+    verdict = grade(LONG, _long_puma(*lengths), policy)
+    assert _codes(verdict) == TOO_FEW_DIGITS
+    assert verdict.repairs == ()
+    assert verdict.score == grade(LONG, _long_puma(0.7, 0.4, 0.02, 0.2, 0.4, 0.2), policy).score
+
+
+@pytest.mark.parametrize("policy", ENDS)
+@pytest.mark.parametrize("tool", [0, 0.19001, 0.21, 0.22, 0.25, 0.3, 1, -0.193])
+def test_a_rule_that_the_digits_do_not_explain_is_broken(tool: Cell, policy: Policy) -> None:
+    verdict = grade(LONG, _long_puma(0.67, 0.43, 0.02, 0.15, 0.43, tool), policy)
+    assert verdict.correct or "entries_imprecise" not in _codes(verdict)
+
+
+def test_in_other_frames_a_repair_shows_that_the_digits_are_too_few() -> None:
+    """Along parallel axes an offset may stand in either row: no entry is one of the key's."""
+    key = read("standard", [(0, 0.4, 0.123, "q1"), (0, 0.35, 0, "q2"), (0, 0, 0.2, "q3")])
+    policy = Policy(base=BaseRule.FRAME, tool=ToolRule.POINT)
+    answer = read("standard", [(0, 0.4, 0, "q1"), (0, 0.35, 0, "q2"), (0, 0, 0.3, "q3")])
+    assert _codes(grade(key, answer, policy)) == TOO_FEW_DIGITS
+
+
+def test_a_length_of_the_key_is_not_rounded() -> None:
+    """Moved within its one decimal, the second length would make up for the first, which is wrong."""
+    key = read("standard", [(90, 0, 0.56, "q1"), (-90, 0.4273, 0, "q2"), (-90, -0.5, "q3", 30)], "deg")
+    answer = read("standard", [(90, 0, 0.56, "q1"), (-90, 0.7, 0, "q2"), (-90, -0.5, "q3", 30)], "deg")
+    assert "length_wrong" in _codes(grade(key, answer, Policy(tool=ToolRule.AXIS)))
