@@ -4,8 +4,6 @@ J_i is a turn about z or a slide along z. Every DH table of either convention, w
 rows, is such a product, so nothing behind this file knows about conventions.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property

@@ -4,8 +4,6 @@ Of a level arm with a wrist at right angles the targets away from singularities 
 operations (`clear_blocks`); the few others are then solved one by one, as every target of other arms is.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cache
 from typing import NamedTuple

@@ -9,8 +9,6 @@ Source: J. W. Milnor, Topology from the differentiable viewpoint (1965) §5, the
 H. I. Levine, An algebraic formula for the degree of a C^∞ map germ, Annals of Math. 106 (1977) 19, the bound.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

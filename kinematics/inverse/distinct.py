@@ -1,7 +1,5 @@
 """Which solutions are the same."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

@@ -1,7 +1,5 @@
 """What is to be reached: a pose, and within which tolerance."""
 
-from __future__ import annotations
-
 import math
 from typing import Any, NamedTuple
 

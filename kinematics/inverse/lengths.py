@@ -1,7 +1,5 @@
 """How long a length may be before powers of it overflow."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Joint limits: what they are, and which turn of a joint lies within them."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from typing import TypeAlias

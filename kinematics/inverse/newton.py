@@ -1,7 +1,5 @@
 """Newton steps to the nearest pose, and beside a pose that was rounded to one within the tolerance."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

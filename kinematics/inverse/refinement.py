@@ -1,7 +1,5 @@
 """From the candidates of a closed form to its solutions, as exact as floating point has them."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """How far a pose is from its target: a distance and an angle."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

@@ -1,7 +1,5 @@
 """What inverse kinematics returns. Unreachable and singular are results, not errors."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from enum import StrEnum

@@ -1,7 +1,5 @@
 """Arms, targets and answers in another unit of length: in which a distance counts as much as an angle."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -9,8 +9,6 @@ Robotics 27 (2011) 984, for the use of damping; K. Madsen, H. B. Nielsen, O. Tin
 least squares problems (2004) §3.2.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import cached_property

@@ -1,7 +1,5 @@
 """Inverse kinematics of a table: what can be known of the arm before any target is, and one target."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 
 import numpy as np

@@ -1,7 +1,5 @@
 """One target: all solutions where there is a closed form, as many as a search finds elsewhere."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -118,7 +116,7 @@ class Solver:
             return goal
         return goal._replace(tolerance=goal.tolerance * size, unit=size)
 
-    def _in_unit(self, unit: float) -> Solver:
+    def _in_unit(self, unit: float) -> "Solver":
         """The same arm, its lengths in another unit."""
         arm = arm_in_unit(self.arm, unit)
         return replace(

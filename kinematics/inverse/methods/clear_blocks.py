@@ -7,8 +7,6 @@ sines of the angles that are returned; the other way of the wrist, θ_4 + π, -�
 rotation.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

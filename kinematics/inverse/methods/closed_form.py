@@ -7,8 +7,6 @@ and an arm of five joints is an arm of six of which the last stands still.
 Arms of which the Jacobian has full rank nowhere have redundant joints, so no finite number of solutions.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Protocol

@@ -16,8 +16,6 @@ Design 115 (1993) 502; D. Manocha, J. F. Canny, Efficient inverse kinematics for
 IEEE Trans. Robotics 10 (1994) 648, for the eigenproblem.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 

@@ -8,8 +8,6 @@ Source: for the joint that is chosen as a parameter, S. Lee, A. K. Bejczy, Redun
 based on parameterization, IEEE Int. Conf. Robotics and Automation (1991) 458.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace

@@ -15,8 +15,6 @@ Source: for the Universal Robots' case, K. P. Hawkins, Analytic inverse kinemati
 UR-5/UR-10 arms (2013), with arms whose axes 5 and 6 do not meet; here for any axes.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

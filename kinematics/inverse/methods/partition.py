@@ -7,8 +7,6 @@ to four joints can always be taken apart, and of the longer ones those with a wr
 them.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """Turns by one angle, and equations in its cosine and sine."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 

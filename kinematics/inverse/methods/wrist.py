@@ -13,8 +13,6 @@ Source: J. J. Craig, Introduction to robotics, 3rd ed. (2005) §4.6 eq. 4.45 to 
 those of the wrist too.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias

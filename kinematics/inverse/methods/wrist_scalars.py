@@ -22,8 +22,6 @@ Each solution is judged by forward kinematics in the same normal form: of the wr
 rotation that the wrist has to make. That the form is the chain itself is checked once, when it is made.
 """
 
-from __future__ import annotations
-
 from cmath import phase, rect
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Solutions as components: which are the same, which stand alone, and which families there are."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from typing import TypeAlias
 

@@ -1,7 +1,5 @@
 """Corrections: from configurations near a family back to it, without a step along it."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

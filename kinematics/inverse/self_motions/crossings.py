@@ -9,8 +9,6 @@ Source: E. L. Allgower, K. Georg, Introduction to numerical continuation methods
 ch. 8, branch switching.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from itertools import combinations

@@ -7,8 +7,6 @@ interval beside it. Such a component is followed in small steps from one of its 
 corrected by Gauss–Newton steps across it, until the pose leaves the tolerance or the path closes (`paths`).
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace

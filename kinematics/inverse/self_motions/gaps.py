@@ -5,8 +5,6 @@ another; a fold between the two may come as near without reaching the target exa
 pose is off by some tolerances, so the way is followed with as much allowed, and where it comes near is tried.
 """
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

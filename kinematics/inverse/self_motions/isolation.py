@@ -4,8 +4,6 @@ All solutions are tried in the same array operations: a step along the null spac
 middle between two that are near each other, are corrected back to the target.
 """
 
-from __future__ import annotations
-
 import math
 from itertools import combinations
 

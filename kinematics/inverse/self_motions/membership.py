@@ -1,7 +1,5 @@
 """Which solutions belong to a family: they are on its paths, or ways lead from them to it."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -7,8 +7,6 @@ Source: for the predictor and the corrector, E. L. Allgower, K. Georg, Introduct
 methods (2003) ch. 2 and 3.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np
@@ -87,7 +85,7 @@ def path_through(follower: Follower, x: Array, direction: Array, held: Array | N
     return FamilyPath(points * follower.arm.units, ahead.closed or met, follower.second(points))
 
 
-def _take_steps(follower: Follower, ways: list[_OneWay]) -> None:
+def _take_steps(follower: Follower, ways: "list[_OneWay]") -> None:
     """Take the next step of each way, all that may be in the same array operations."""
     tried = [way.next_steps() for way in ways]
     counts = [len(steps) for steps in tried]
@@ -202,7 +200,7 @@ class _OneWay:
         self.goes = slid <= self._follower.farthest
         return True
 
-    def meets(self, other: _OneWay) -> bool:
+    def meets(self, other: "_OneWay") -> bool:
         """Whether this way and another from one start meet; what the other has come beyond is dropped."""
         for back in (1, 2):
             if len(other.points) < back:

@@ -1,7 +1,5 @@
 """Families of solutions within joint limits: which parts of a path fit, and how they are told."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """Walks from one solution to another, by steps that keep the target reached."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -69,7 +67,7 @@ def lead_to_one(follower: Follower, starts: Array, places: Array, lost: float) -
 
 def _walked(
     follower: Follower, starts: Array, ends: Array, lost: float
-) -> tuple[NDArray[np.bool_], list[_Steps]]:
+) -> "tuple[NDArray[np.bool_], list[_Steps]]":
     """Which walks arrive; and their steps, unless joints are redundant: some may have jumped."""
     arrived = np.zeros(len(starts), dtype=bool)
     x, longest, going = starts.copy(), np.full(len(starts), WALK), np.arange(len(starts))
@@ -116,7 +114,7 @@ class _Steps(NamedTuple):
     end: Array
     across: Array
 
-    def of(self, some: NDArray[np.bool_]) -> _Steps:
+    def of(self, some: NDArray[np.bool_]) -> "_Steps":
         """Return those of some of the walks."""
         these = some[self.walk]
         return _Steps(self.walk[these], self.start[these], self.end[these], self.across[these])

@@ -1,7 +1,5 @@
 """How distance and angle are weighed against each other where a rounded target is missed by both."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 
