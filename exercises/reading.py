@@ -13,6 +13,7 @@ from kinematics.cells import AngleUnit, Cell, ParameterKind, canonical_name, rea
 from kinematics.errors import Fault
 from kinematics.expressions import ZERO, Expression, joint_variables_in
 from kinematics.keys import LARGEST, MISSING, Choice, KeyFaults, KeyReader, ValueKind, is_number
+from kinematics.se3 import triple
 
 LONGEST_ECHO = 80  # Characters of a text that its fault repeats.
 LARGEST_TOLERANCE = 0.1
@@ -138,8 +139,7 @@ class Reader(KeyReader):
         if not isinstance(value, list | tuple) or len(value) != 3:
             self.mistyped(ValueKind.CELLS, key, count=3)
             return ZERO, ZERO, ZERO
-        x, y, z = (self._cell(entry, key, i) for i, entry in enumerate(value))
-        return x, y, z
+        return triple(self._cell(entry, key, i) for i, entry in enumerate(value))
 
     def direction(
         self, key: str, default: tuple[float, float, float] | None
@@ -151,8 +151,7 @@ class Reader(KeyReader):
         if len(entries) != 3 or not any(entries):
             self.mistyped(ValueKind.DIRECTION, key)
             return default
-        x, y, z = (float(entry) for entry in entries)
-        return x, y, z
+        return triple(map(float, entries))
 
     def named_numbers(self) -> dict[str, float]:
         """Return a number for each key, which is the name of a dimension."""

@@ -29,7 +29,7 @@ from kinematics.frames.axes import JointAxis
 from kinematics.frames.parallels import NearParallel
 from kinematics.joint_values import one_configuration
 from kinematics.poses import Vector3
-from kinematics.se3 import Transform, Vector, check_transform, cross, skew
+from kinematics.se3 import Transform, Vector, check_transform, cross, skew, triple
 from kinematics.table import Convention, JointType, NumericTable
 
 UNIT_TOLERANCE = 1e-9
@@ -181,5 +181,4 @@ def _coefficients(angle: float) -> tuple[float, float, float]:
 
 def _clean(vector: Vector) -> Vector3:
     """The vector as floats without -0.0."""
-    x, y, z = (float(part) + 0.0 for part in vector)
-    return x, y, z
+    return triple(float(part) + 0.0 for part in vector)

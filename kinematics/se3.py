@@ -12,6 +12,7 @@ exponentials in `kinematics.screws`.
 """
 
 import math
+from collections.abc import Iterable
 from typing import Any, TypeAlias, TypeVar
 
 import numpy as np
@@ -26,6 +27,7 @@ Scalar: TypeAlias = Any
 """A number of any kind that knows + - *: a float, an integer, or a symbol of a recorded computation."""
 Scalars: TypeAlias = tuple[Scalar, Scalar, Scalar]
 _Real = TypeVar("_Real", int, float)
+_Entry = TypeVar("_Entry")
 Vector: TypeAlias = tuple[float, float, float]
 Motion: TypeAlias = tuple[
     float, float, float, float, float, float, float, float, float, float, float, float
@@ -44,6 +46,16 @@ two columns by three times that."""
 
 _NO_DIRECTION = 1e-12
 """The sine below which two unit vectors name no common perpendicular: some 4000 roundings of 2e-16."""
+
+
+def triple(values: Iterable[_Entry]) -> tuple[_Entry, _Entry, _Entry]:
+    """Return three values of any kind as a vector.
+
+    Raises:
+        ValueError: there are more or fewer.
+    """
+    x, y, z = values
+    return x, y, z
 
 
 def dot(u: tuple[_Real, _Real, _Real], v: tuple[_Real, _Real, _Real]) -> _Real:

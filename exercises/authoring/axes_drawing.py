@@ -10,6 +10,7 @@ lengths.
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +20,7 @@ from kinematics.errors import KinematicsError
 from kinematics.expressions import Expression, Number, Parameter, add, evaluate, multiply, parameters_in
 from kinematics.frames.assignment import assign_frames
 from kinematics.frames.axes import JointAxis
+from kinematics.se3 import triple
 from kinematics.table import LENGTHS, Convention, JointType, NumericTable
 
 MOST_AXES = 16
@@ -35,8 +37,7 @@ Values = Mapping[str, float]
 _Point = Callable[[Values, "list[_DrawnAxis]"], Vector3]
 
 
-@dataclass(frozen=True, slots=True)
-class _DrawnAxis:
+class _DrawnAxis(NamedTuple):
     point: Vector3
     direction: Vector3
 
@@ -66,8 +67,8 @@ class AxesDrawing:
             size = float(np.linalg.norm(along))
             placed.append(_DrawnAxis(at, along / size if size > 0 else along))
         return tuple(
-            JointAxis(joint=joint, point=_three(axis.point), direction=_three(axis.direction))
-            for joint, axis in zip(self.joints, placed, strict=True)
+            JointAxis(joint=joint, point=triple(at.tolist()), direction=triple(along.tolist()))
+            for joint, (at, along) in zip(self.joints, placed, strict=True)
         )
 
     def table(self, lengths: Values | None = None) -> NumericTable:
@@ -181,10 +182,6 @@ def _across(first: Vector3, second: Vector3) -> Vector3:
 def _rejected(vector: Vector3, axis: Vector3) -> Vector3:
     found = vector - np.dot(vector, axis) * axis
     return found if np.linalg.norm(found) > PARALLEL * np.linalg.norm(vector) else np.zeros(3)
-
-
-def _three(vector: Vector3) -> tuple[float, float, float]:
-    return float(vector[0]), float(vector[1]), float(vector[2])
 
 
 def in_named_lengths(drawing: AxesDrawing) -> dict[tuple[int, str], Expression]:

@@ -8,7 +8,7 @@ from exercises.figures.camera import Camera
 from exercises.figures.geometry import Dimension
 from exercises.figures.placement import CELL, Cells, PaperMap, Places, places
 from exercises.figures.svg import Canvas, line, text_width
-from kinematics.se3 import Floats, cross_arrays
+from kinematics.se3 import Floats, Vector, cross_arrays, triple
 
 FONT_SIZE = 18.0
 OFFSETS = (0.0, 22.0, 36.0, 52.0, 70.0, 92.0)
@@ -129,19 +129,17 @@ def dimension_ways(dimension: Dimension, camera: Camera) -> tuple[tuple[Floats, 
     screen = cross_arrays(along, camera.eye)
     ways: list[DimensionWay] = []
     for offset in (*_AXES, screen, -screen):
-        free = replace(dimension, offset=_triple(offset))
+        free = replace(dimension, offset=_rounded(offset))
         units, costs = _directions(free, ends, _unit(on_paper[1] - on_paper[0]), camera)
         wished = units[costs < _WISHED]
         if len(wished) and all(np.abs(wished[0] - way.shift).max() > ALIKE for way in ways):
-            ways.append(
-                DimensionWay(offset=_triple(offset), shift=(float(wished[0][0]), float(wished[0][1])))
-            )
+            shift = float(wished[0][0]), float(wished[0][1])
+            ways.append(DimensionWay(offset=_rounded(offset), shift=shift))
     return (on_paper[0], on_paper[1]), ways
 
 
-def _triple(vector: Floats) -> tuple[float, float, float]:
-    x, y, z = (round(float(value), 4) + 0.0 for value in vector)
-    return x, y, z
+def _rounded(vector: Floats) -> Vector:
+    return triple(round(float(value), 4) + 0.0 for value in vector)
 
 
 def draw_extensions(canvas: Canvas, dimension: DimensionLine) -> None:

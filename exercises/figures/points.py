@@ -29,6 +29,7 @@ from kinematics.se3 import (
     position,
     subtract,
     to_matrix,
+    triple,
     z_axis,
 )
 from kinematics.table import SymbolicTable, bind
@@ -112,7 +113,7 @@ class Points:
                 a, b = self.point(start, *where, "between", 0), self.point(end, *where, "between", 1)
                 return along(a, ratio, subtract(b, a))
             case PointBeside(origin=origin, by=by):
-                return plus(self.point(origin, *where, "from"), self._triple(by, *where, "by"))
+                return plus(self.point(origin, *where, "from"), self._numbers(by, *where, "by"))
             case PointAlongAxis(origin=origin, joint=joint, distance=distance):
                 if not 1 <= joint <= self.reference.n_joints:
                     self.fault("unknown_joint", (*where, "joint"), joint=joint, last=self.reference.n_joints)
@@ -124,11 +125,10 @@ class Points:
         if not 0 <= frame < len(self.motions):
             self.fault("unknown_frame", (*where, "frame"), last=len(self.motions) - 1)
             return ORIGIN
-        return move(self.motions[frame], self._triple(at, *where, "at"))
+        return move(self.motions[frame], self._numbers(at, *where, "at"))
 
-    def _triple(self, triple: Triple, *where: str | int) -> Vector:
-        x, y, z = (self.number(entry, *where, i) for i, entry in enumerate(triple))
-        return x, y, z
+    def _numbers(self, entries: Triple, *where: str | int) -> Vector:
+        return triple(self.number(entry, *where, i) for i, entry in enumerate(entries))
 
 
 def frames_in_figure(

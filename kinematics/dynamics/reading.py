@@ -13,6 +13,7 @@ from kinematics.cells.variables import variable_index
 from kinematics.dynamics.links import RigidBody, SymbolicBody
 from kinematics.errors import CellError, DescriptionError, Fault
 from kinematics.expressions import ZERO, Expression, JointVariable, joint_variables_in
+from kinematics.se3 import triple
 
 NOTHING: tuple[Cell, Cell, Cell] = (0, 0, 0)
 
@@ -68,11 +69,11 @@ def read_bodies(
         raise DescriptionError(Fault.at("links_count", "links", expected=expected, given=len(links)))
     reader = _BodyReader(read, limits)
     bodies = [reader.body(link, i) for i, link in enumerate(links)]
-    x, y, z = (reader.cell(cell, ("gravity", i)) for i, cell in enumerate(gravity))
+    falling = triple(reader.cell(cell, ("gravity", i)) for i, cell in enumerate(gravity))
     if reader.faults:
         raise CellError(reader.faults)
     return ReadBodies(
-        links=tuple(bodies), gravity=(x, y, z), kinds=reader.kinds, lengths=frozenset(reader.lengths)
+        links=tuple(bodies), gravity=falling, kinds=reader.kinds, lengths=frozenset(reader.lengths)
     )
 
 
@@ -86,12 +87,12 @@ class _BodyReader:
 
     def body(self, link: RawBody, i: int) -> SymbolicBody:
         where: tuple[str | int, ...] = ("links", i)
-        x, y, z = (self._length(cell, (*where, "centre", k)) for k, cell in enumerate(link.centre))
-        rows = []
-        for k, row in enumerate(link.inertia):
-            a, b, c = (self.cell(cell, (*where, "inertia", k, m)) for m, cell in enumerate(row))
-            rows.append((a, b, c))
-        return RigidBody(mass=self.cell(link.mass, (*where, "mass")), centre=(x, y, z), inertia=tuple(rows))
+        centre = triple(self._length(cell, (*where, "centre", k)) for k, cell in enumerate(link.centre))
+        inertia = tuple(
+            triple(self.cell(cell, (*where, "inertia", k, m)) for m, cell in enumerate(row))
+            for k, row in enumerate(link.inertia)
+        )
+        return RigidBody(mass=self.cell(link.mass, (*where, "mass")), centre=centre, inertia=inertia)
 
     def cell(self, cell: Cell, where: tuple[str | int, ...]) -> Expression:
         return self._meaning(cell, where, lambda kinds: None)

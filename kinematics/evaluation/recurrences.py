@@ -21,7 +21,7 @@ from kinematics.dh import (
     turn_x,
     turn_z,
 )
-from kinematics.se3 import Scalar, Scalars, Transform, cross
+from kinematics.se3 import Scalar, Scalars, Transform, cross, triple
 from kinematics.table import JointType, NumericTable
 
 Rows: TypeAlias = tuple[Row, Row, Row]  # The upper three rows of a 4×4 transform.
@@ -153,7 +153,7 @@ class _Cursor:
     """
 
     def __init__(self, pose: Rows) -> None:
-        self._rows: list[Scalars] = [(row[0], row[1], row[2]) for row in pose]
+        self._rows: list[Scalars] = [triple(row[:3]) for row in pose]
         self._p: list[Scalar] = [row[3] for row in pose]
         self._c: Scalar = 1.0
         self._s: Scalar = 0.0
@@ -178,8 +178,7 @@ class _Cursor:
 
     def origin(self) -> Scalars:
         """Return the origin."""
-        x, y, z = self._p
-        return x, y, z
+        return triple(self._p)
 
     def pose(self) -> Rows:
         """Return the frame's pose."""

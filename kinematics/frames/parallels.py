@@ -13,7 +13,19 @@ import numpy as np
 
 from kinematics.frames.axes import AxisLine
 from kinematics.frames.normals import EXACT_ANGLE
-from kinematics.se3 import Vector, cross, dot, foot, norm, perpendicular, rejection, scale, subtract, unit
+from kinematics.se3 import (
+    Vector,
+    cross,
+    dot,
+    foot,
+    norm,
+    perpendicular,
+    rejection,
+    scale,
+    subtract,
+    triple,
+    unit,
+)
 from kinematics.table import JointType
 
 PARALLEL_TOLERANCE = 5e-3  # Axes whose directions differ by less than this [rad] are near-parallel; 0.29°.
@@ -122,8 +134,8 @@ def middle(lines: Sequence[AxisLine]) -> Vector:
     values, vectors = np.linalg.eigh(across.sum(axis=0))
     sides = vectors.T @ np.einsum("kij,kj->i", across, points - mean)
     sound = values > _DECIDES * len(placed)
-    x, y, z = (mean + vectors @ np.where(sound, sides / np.where(sound, values, 1.0), 0.0)).tolist()
-    return (x, y, z)
+    centre = mean + vectors @ np.where(sound, sides / np.where(sound, values, 1.0), 0.0)
+    return triple(centre.tolist())
 
 
 def _tilt(u: Vector, v: Vector) -> float:

@@ -51,7 +51,7 @@ from kinematics.inverse_forms.steps import (
     fulfilled,
     reachable,
 )
-from kinematics.se3 import cross
+from kinematics.se3 import cross, triple
 from kinematics.table import SymbolicTable, table_parameters
 
 MOST_JOINTS = 6
@@ -106,14 +106,12 @@ class _Writer:
         # R' = R Mᵀ, the rotation from the pose at θ = 0: column k of M is a unit vector.
         columns = arm.columns
         self.R: list[Vector] = [
-            tuple(add(signed(columns[k][j], row[k]) for k in range(3)) for j in range(3))  # type: ignore[misc]
-            for row in R
+            triple(add(signed(columns[k][j], row[k]) for k in range(3)) for j in range(3)) for row in R
         ]
-        x, y, z = (Parameter(name) for name in self.position)
         lever = minus(parts.point, arm.end)
         self.target: Vector = plus(
-            (x, y, z),
-            tuple(add(times(row[j], lever[j]) for j in range(3)) for row in self.R),  # type: ignore[arg-type]
+            triple(map(Parameter, self.position)),
+            triple(add(times(row[j], lever[j]) for j in range(3)) for row in self.R),
         )
 
     def form(self) -> InverseForm | None:

@@ -20,6 +20,7 @@ from kinematics.expressions import (
     with_parts,
 )
 from kinematics.inverse_forms.signed_axes import Axis, Vector, along
+from kinematics.se3 import triple
 
 
 def square(value: Expression) -> Expression:
@@ -70,8 +71,7 @@ def halved(value: Expression) -> Expression:
 
 def product_with(matrix: Sequence[Vector], axis: Axis) -> Vector:
     """Return a matrix, given by its rows, times an axis."""
-    x, y, z = (along(axis, row) for row in matrix)
-    return x, y, z
+    return triple(along(axis, row) for row in matrix)
 
 
 ROUNDING = Fraction(1, 10**9)

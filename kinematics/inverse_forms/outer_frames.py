@@ -10,6 +10,7 @@ from kinematics.expressions import ONE, ZERO, Expression, Function, Parameter, a
 from kinematics.inverse_forms.derivation import inverse_form
 from kinematics.inverse_forms.signed_axes import Vector, circular
 from kinematics.inverse_forms.steps import InverseForm, InverseQuantity, InverseStep
+from kinematics.se3 import triple
 from kinematics.symbolic.motions import Motion, motions_of
 from kinematics.table import SymbolicTable, table_parameters
 
@@ -65,8 +66,7 @@ def _behind(rows: int, fault: Fault) -> Fault:
 
 def _origin(tool: Matrix | None) -> Vector:
     """The tool's origin in frame N."""
-    x, y, z = (ZERO, ZERO, ZERO) if tool is None else (row[3] for row in tool[:3])
-    return x, y, z
+    return (ZERO, ZERO, ZERO) if tool is None else triple(row[3] for row in tool[:3])
 
 
 def _joined(one: Matrix | None, other: Matrix | None) -> Matrix | None:

@@ -7,7 +7,7 @@ from itertools import pairwise
 from kinematics.expressions import ZERO, Expression, add, negate
 from kinematics.inverse_forms.planar_joints import JointPlane
 from kinematics.inverse_forms.signed_axes import Axis, SignedArm, SignedJoint, Vector
-from kinematics.se3 import cross, dot, opposite
+from kinematics.se3 import cross, dot, opposite, triple
 
 LONGEST_TAIL = 3
 _UNIT: tuple[Axis, ...] = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
@@ -104,13 +104,12 @@ def _point_left_alone(tail: Sequence[SignedJoint], end: Vector) -> Vector | None
         return None
     if any(dot(one.axis, other.axis) for one, other in pairwise(tail)):
         return None
-    known: list[Expression | None] = [None, None, None]
+    known: dict[int, Expression] = {}
     for joint in tail:
         for i in range(3):
             if joint.axis[i]:
                 continue
-            if known[i] is not None and add((known[i], negate(joint.point[i]))) != ZERO:  # type: ignore[arg-type]
+            if i in known and add((known[i], negate(joint.point[i]))) != ZERO:
                 return None
             known[i] = joint.point[i]
-    x, y, z = (end[i] if known[i] is None else known[i] for i in range(3))
-    return x, y, z  # type: ignore[return-value]
+    return triple(known.get(i, end[i]) for i in range(3))

@@ -29,7 +29,7 @@ from kinematics.expressions import (
     pi_fraction,
     rational_value,
 )
-from kinematics.se3 import cross, dot, opposite
+from kinematics.se3 import cross, dot, opposite, triple
 from kinematics.symbolic.motions import Motion, motions_of
 from kinematics.table import SymbolicTable
 
@@ -105,8 +105,8 @@ def signed_arm_of(table: SymbolicTable, tip: Vector = (ZERO, ZERO, ZERO)) -> Sig
             if motion.joint or motion.kind not in _SHIFTS or value is None or abs(value) > least:
                 walker.take(motion, i)
     walker.turn_back()
-    x, y, z = (along(axis, tip) for axis in zip(*walker.columns, strict=True))
-    return SignedArm(joints=tuple(walker.joints), end=plus(walker.point, (x, y, z)), columns=walker.columns)
+    end = triple(along(axis, tip) for axis in zip(*walker.columns, strict=True))
+    return SignedArm(joints=tuple(walker.joints), end=plus(walker.point, end), columns=walker.columns)
 
 
 def _largest_length(motions: Sequence[Motion]) -> Fraction:
@@ -214,19 +214,17 @@ def signed(sign: int, x: Expression) -> Expression:
 
 def scaled(axis: Axis, length: Expression) -> Vector:
     """Return a length along an axis."""
-    a, b, c = (signed(entry, length) for entry in axis)
-    return a, b, c
+    return triple(signed(entry, length) for entry in axis)
 
 
 def plus(v: Vector, w: Vector) -> Vector:
     """Return the sum of two vectors."""
-    a, b, c = (add(pair) for pair in zip(v, w, strict=True))
-    return a, b, c
+    return triple(map(add, zip(v, w, strict=True)))
 
 
 def minus(v: Vector, w: Vector) -> Vector:
     """Return the difference of two vectors."""
-    return plus(v, tuple(map(negate, w)))  # type: ignore[arg-type]
+    return plus(v, triple(map(negate, w)))
 
 
 def turned(axis: Axis, cosine: Expression, sine: Expression, v: Vector) -> Vector:

@@ -8,7 +8,7 @@ from typing import TypeAlias
 import numpy as np
 
 from kinematics.angles import cos_sin
-from kinematics.se3 import Transform
+from kinematics.se3 import Transform, triple
 
 Triple: TypeAlias = tuple[float, float, float]
 Matrix3: TypeAlias = tuple[Triple, Triple, Triple]
@@ -18,8 +18,7 @@ IDENTITY: Matrix3 = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 def matrix3(rows: Sequence[Sequence[float]]) -> Matrix3:
     """Return three rows of three numbers as a matrix."""
-    (a, b, c), (d, e, f), (g, h, i) = ([float(value) for value in row] for row in rows)
-    return (a, b, c), (d, e, f), (g, h, i)
+    return triple(triple(map(float, row)) for row in rows)
 
 
 def rotation_part(transform: Transform) -> Matrix3:
@@ -41,8 +40,7 @@ def product(*factors: Matrix3) -> Matrix3:
 
 def transposed(matrix: Matrix3) -> Matrix3:
     """Return Mᵀ, the inverse of a rotation."""
-    x, y, z = zip(*matrix, strict=True)
-    return x, y, z
+    return triple(zip(*matrix, strict=True))
 
 
 def rotation_about_axis(axis: int, angle: float) -> Matrix3:
@@ -79,5 +77,4 @@ def determinant(matrix: Matrix3) -> float:
 
 def _times(left: Matrix3, right: Matrix3) -> Matrix3:
     (a, b, c), (d, e, f), (g, h, i) = right
-    x, y, z = ((p * a + q * d + r * g, p * b + q * e + r * h, p * c + q * f + r * i) for p, q, r in left)
-    return x, y, z
+    return triple((p * a + q * d + r * g, p * b + q * e + r * h, p * c + q * f + r * i) for p, q, r in left)

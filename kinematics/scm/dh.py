@@ -26,7 +26,7 @@ from kinematics.expressions import (
 )
 from kinematics.scm.chain import Placement, ScmChain, verify
 from kinematics.scm.rows import appended, constant_row, joined, shift_rows, turn_rows
-from kinematics.se3 import cross, dot, opposite
+from kinematics.se3 import cross, dot, opposite, triple
 from kinematics.table import Convention, DHTable, JointType, SymbolicRow, SymbolicTable
 
 Direction: TypeAlias = tuple[int, int, int]
@@ -72,8 +72,8 @@ def modified_dh_from_scm(chain: ScmChain) -> SymbolicTable:
     for row in chain.rows:
         if row.joint is JointType.REVOLUTE:
             point = _moved(point, row.constant)
-        axis = tuple(row.sign if k == row.variable.axis else 0 for k in range(3))
-        there = _frame_on_axis(here, point, (axis[0], axis[1], axis[2]))
+        axis = triple(row.sign if k == row.variable.axis else 0 for k in range(3))
+        there = _frame_on_axis(here, point, axis)
         *lead, link = _links(here, there)
         rows = joined(rows, lead)
         rows = appended(rows, replace(link, joint=row.joint))
@@ -90,7 +90,7 @@ def _quarter_turns(turn: Placement) -> tuple[int, int, int] | None:
     """A, B and C in quarter turns, if all three are whole numbers of them."""
     halves = [pi_fraction(angle) for angle in (turn.a, turn.b, turn.c)]
     quarters = [2 * half for half in halves if half is not None and (2 * half).denominator == 1]
-    return (int(quarters[0]), int(quarters[1]), int(quarters[2])) if len(quarters) == 3 else None
+    return triple(map(int, quarters)) if len(quarters) == 3 else None
 
 
 def _turned(u: Direction, quarters: tuple[int, int, int]) -> Direction:
@@ -115,8 +115,7 @@ def _frame_on_axis(here: _Frame, point: Point, z: Direction) -> _Frame:
 
 def _links(here: _Frame, there: _Frame) -> list[SymbolicRow]:
     """Rows whose product is the pose of `there` in `here`; all but the last may be motions along z only."""
-    offset = tuple(add((there.origin[k], negate(here.origin[k]))) for k in range(3))
-    p: Point = (offset[0], offset[1], offset[2])
+    p = triple(add((there.origin[k], negate(here.origin[k]))) for k in range(3))
     if abs(dot(here.z, there.z)) == 1:
         return _parallel_links(here, there, p)
     normal = there.x if dot(there.x, here.z) == 0 else cross(here.z, there.z)

@@ -11,7 +11,7 @@ from kinematics.forward import end_poses
 from kinematics.inverse.arm import ArmReach
 from kinematics.inverse.lengths import check_lengths, is_far, is_long, too_long
 from kinematics.inverse.limits import JointLimits
-from kinematics.se3 import Floats, Transform, check_transform, inverse_transform
+from kinematics.se3 import Floats, Transform, check_transform, inverse_transform, triple
 from kinematics.table import NumericTable
 from kinematics.workspace.conditions import Conditions, maxima_within, places_within
 from kinematics.workspace.coordinate_ascent import Maximum, first_axis, maxima
@@ -210,5 +210,4 @@ def _radius(maximum: Maximum, away: Floats, reach: float) -> Radius:
 
 
 def _vector(values: list[float], reach: float) -> Vector3:
-    x, y, z = (value if abs(value) > AS_GOOD_AS_ZERO * reach else 0.0 for value in values)
-    return x, y, z
+    return triple(value if abs(value) > AS_GOOD_AS_ZERO * reach else 0.0 for value in values)

@@ -14,7 +14,7 @@ from kinematics.cells.meaning import Position
 from kinematics.frames.assignment import assign_frames
 from kinematics.frames.axes import JointAxis, read_direction, read_point
 from kinematics.frames.wrong_frames import DrawnFrame, right_handed
-from kinematics.se3 import Vector
+from kinematics.se3 import Vector, triple
 
 COSINES = 0.01  # How far from 1 a direction may be whose components were rounded.
 
@@ -69,5 +69,4 @@ def read_vector(cells: Sequence[Cell], reading: Reading, *where: str | int) -> V
         return None
     check = read_point if str(where[-1]).endswith("origin") else read_direction
     check(numbers, where, reading.faults)
-    x, y, z = numbers
-    return x, y, z
+    return triple(numbers)

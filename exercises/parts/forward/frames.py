@@ -33,6 +33,8 @@ from kinematics.frames.chosen_frames import ChosenFrame
 from kinematics.frames.exactness import exact_table
 from kinematics.frames.rules import BINDING, FrameFinding
 from kinematics.frames.trainer import rules_and_table
+from kinematics.frames.wrong_frames import DrawnFrame
+from kinematics.se3 import triple
 from kinematics.table import Convention, NumericTable
 
 PARTS = ("z", "origin", "x")  # The independent facts of a frame.
@@ -154,7 +156,7 @@ class FramesPart(PartType[Part, FramesCells, ByName[FramesAnswer]]):
         """Return the frames of the key where it has one for each joint, else those of the procedure."""
         instance = context.instance
         reference = instance.exercise.reference.table
-        frames = tuple(_cells(frame.origin, frame.x, frame.z) for frame in key_frames(instance))
+        frames = tuple(_cells(frame) for frame in key_frames(instance))
         return FramesCells(convention=reference.convention, frames=frames)
 
     def wrong(self, part: Part, context: Context, rng: Random) -> Iterator[tuple[str, FramesCells]]:
@@ -166,9 +168,7 @@ class FramesPart(PartType[Part, FramesCells, ByName[FramesAnswer]]):
         k = rng.randrange(1, len(right.frames)) if modified else rng.randrange(len(right.frames) - 1)
         frame = right.frames[k]
         assert frame is not None
-        tilted = replace(
-            frame, z=(frame.x[0], frame.x[1], frame.x[2]), x=(frame.z[0], frame.z[1], frame.z[2])
-        )
+        tilted = replace(frame, z=frame.x, x=frame.z)
         frames = (*right.frames[:k], tilted, *right.frames[k + 1 :])
         yield "frame_z_not_along_axis", replace(right, frames=frames)
 
@@ -236,13 +236,8 @@ def _policy(context: Context) -> Policy:
     return context.policy if whole else replace(context.policy, tool=ToolRule.FREE)
 
 
-def _cells(origin: Sequence[float], x: Sequence[float], z: Sequence[float]) -> FrameCells:
-    return FrameCells(origin=_triple(origin), x=_triple(x), z=_triple(z))
-
-
-def _triple(vector: Sequence[float]) -> tuple[Cell, Cell, Cell]:
-    x, y, z = (round(value, 6) for value in vector)
-    return x, y, z
+def _cells(frame: DrawnFrame) -> FrameCells:
+    return FrameCells(**{name: triple(round(v, 6) for v in getattr(frame, name)) for name in PARTS})
 
 
 PART = FramesPart()

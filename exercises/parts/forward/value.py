@@ -24,7 +24,7 @@ from kinematics.equivalence import Tolerance
 from kinematics.equivalence.decision import is_certified
 from kinematics.equivalence.reference import prepared
 from kinematics.errors import ParameterError
-from kinematics.se3 import Floats, cross_arrays, from_matrix, inverse_transform, scale
+from kinematics.se3 import ORIGIN, Floats, cross_arrays, from_matrix, inverse_transform, scale, triple
 from kinematics.table import JointType, NumericTable, bind
 
 PosesOf = Callable[[Floats], Floats]  # (k, 4, 4) ⁰T_N of (k, n) configurations.
@@ -160,22 +160,17 @@ def _axis(screw: Floats, joint_type: JointType, tolerance: Tolerance, size: floa
         length = float(np.linalg.norm(shift))
         if np.linalg.norm(direction) > limit or abs(length - 1.0) > limit:
             return None
-        return Axis(True, _triple(shift / length), (0.0, 0.0, 0.0))
+        return Axis(True, triple((shift / length).tolist()), ORIGIN)
     length = float(np.linalg.norm(direction))
     if abs(length - 1.0) > limit:
         return None
     direction = direction / length
     if abs(direction @ shift) > 4 * tolerance.length * size:
         return None
-    return Axis(False, _triple(direction), _triple(cross_arrays(direction, shift)))
+    return Axis(False, triple(direction.tolist()), triple(cross_arrays(direction, shift).tolist()))
 
 
 def scaled_chain(chain: Chain, factor: float) -> Chain:
     """Return a chain with its lengths in another unit."""
     axes = tuple(axis._replace(point=scale(axis.point, factor)) for axis in chain.axes)
     return Chain(axes, (*chain.end[:9], *scale(chain.end[9:], factor)), chain.extent * factor)
-
-
-def _triple(array: Floats) -> tuple[float, float, float]:
-    x, y, z = array.tolist()
-    return x, y, z

@@ -34,7 +34,7 @@ from kinematics.cells import AngleUnit, Cell, ParameterKind, read_cell
 from kinematics.chain import chain_of_table
 from kinematics.errors import CellError, Fault, KinematicsError
 from kinematics.expressions import evaluate
-from kinematics.se3 import Floats, Vector, inverse_transform
+from kinematics.se3 import Floats, Vector, inverse_transform, triple
 from kinematics.table import JointType
 
 AXIS = "axis"
@@ -107,8 +107,7 @@ def workspace_of(context: Context, part: WorkspacePart) -> Reach:
 
 
 def _rounded(vector: Floats) -> Vector:
-    x, y, z = np.round(vector, 12).tolist()
-    return x, y, z
+    return triple(np.round(vector, 12).tolist())
 
 
 class WorkspacePartType(PartType[WorkspacePart, RadiiCells, ByName[Reach]]):

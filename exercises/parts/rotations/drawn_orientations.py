@@ -10,6 +10,7 @@ from kinematics.errors import PoseError
 from kinematics.keys import ValueKind
 from kinematics.rotations.matrices import Triple
 from kinematics.rotations.sequences import EulerSequence, Turning
+from kinematics.se3 import triple
 
 SEQUENCES = ("XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX", "XYX", "XZX", "YXY", "YZY", "ZXZ", "ZYZ")
 """Every order of three axes that describes all orientations."""
@@ -23,8 +24,7 @@ def drawn_triple(
         float(picker.value(value, way, f"{name} {i}"))
         for i, (value, way) in enumerate(zip(usual, ways, strict=True), 1)
     )
-    first, middle, last = map(exercise.angle_unit.in_radians, drawn)
-    return first, middle, last
+    return triple(map(exercise.angle_unit.in_radians, drawn))
 
 
 def read_triple(reader: Reader) -> tuple[Fraction, ...]:

@@ -48,6 +48,7 @@ from kinematics.rotations.orientation_verdicts import (
     RotationMistake,
 )
 from kinematics.rotations.sequences import Combination, EulerSequence
+from kinematics.se3 import triple
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -186,8 +187,8 @@ class OrientationPartType(PartType[OrientationPart, OrientationCells, Orientatio
         """Yield one notation transposed, one with a component changed."""
         right = self.right(part, context)
         if right.matrix is not None:
-            reflected = tuple((row[0], row[1], -float(row[2])) for row in right.matrix)
-            yield "rotation_right_handed", replace(right, matrix=(reflected[0], reflected[1], reflected[2]))
+            reflected = triple((row[0], row[1], -float(row[2])) for row in right.matrix)
+            yield "rotation_right_handed", replace(right, matrix=reflected)
         if right.quaternion is not None:
             w, x, y, z = (float(cell) for cell in right.quaternion)
             yield "rotation_not_unit", replace(right, quaternion=(2 * w, 2 * x, 2 * y, 2 * z))

@@ -15,6 +15,7 @@ from kinematics.poses import axis_angle_from_transform, quaternion_from_transfor
 from kinematics.rotations.matrices import Matrix3, Triple, as_transform, matrix3
 from kinematics.rotations.orientation_verdicts import ComponentOrder
 from kinematics.rotations.sequences import Combination, EulerSequence, GimbalFamily, euler_solutions
+from kinematics.se3 import triple
 
 CellRow3 = tuple[Cell, Cell, Cell]
 
@@ -93,7 +94,7 @@ def read_orientation(raw: OrientationCells, reading: Reading) -> OrientationAnsw
         component_order=raw.component_order,
         axis=numbers(raw.axis, Position.RATIO, "axis"),
         angle=one(raw.angle, Position.ANGLE, "angle"),
-        angles=tuple((t[0], t[1], t[2]) for t in triples if t) or None,
+        angles=tuple(triple(found) for found in triples if found) or None,
     )
     middle, value = one(raw.middle, Position.ANGLE, "middle"), one(raw.value, Position.ANGLE, "value")
     if middle is not None and value is not None and raw.combination is not None:
@@ -128,17 +129,14 @@ def written_orientation(
     for notation in ask:
         match notation:
             case OrientationNotation.MATRIX:
-                r0, r1, r2 = (rounded(row) for row in rotation)
-                rows = ((r0[0], r0[1], r0[2]), (r1[0], r1[1], r1[2]), (r2[0], r2[1], r2[2]))
-                written = replace(written, matrix=rows)
+                written = replace(written, matrix=triple(triple(rounded(row)) for row in rotation))
             case OrientationNotation.QUATERNION:
                 w, x, y, z = rounded(quaternion_from_transform(pose))
                 order = ComponentOrder.SCALAR_FIRST
                 written = replace(written, quaternion=(w, x, y, z), component_order=order)
             case OrientationNotation.AXIS_ANGLE:
                 axis, angle = axis_angle_from_transform(pose)
-                a, b, c = rounded(axis)
-                written = replace(written, axis=(a, b, c), angle=typed(angle)[0])
+                written = replace(written, axis=triple(rounded(axis)), angle=typed(angle)[0])
             case OrientationNotation.ANGLES | OrientationNotation.EVERY_TRIPLE:
                 found = euler_solutions(rotation, sequence)
                 every = notation is OrientationNotation.EVERY_TRIPLE
@@ -147,6 +145,6 @@ def written_orientation(
                     way = found.family.combination
                     written = replace(written, middle=middle, value=value, combination=way)
                 else:
-                    triples = [typed(*triple) for triple in found.triples[: 2 if every else 1]]
-                    written = replace(written, angles=tuple((t[0], t[1], t[2]) for t in triples))
+                    triples = found.triples[: 2 if every else 1]
+                    written = replace(written, angles=tuple(triple(typed(*angles)) for angles in triples))
     return written

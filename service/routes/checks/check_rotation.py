@@ -18,6 +18,7 @@ from kinematics.rotations.orientation_answers import (
 from kinematics.rotations.orientation_verdicts import Built, OrientationVerdict, RotationMistake
 from kinematics.rotations.properties import failed_properties
 from kinematics.rotations.sequences import GimbalFamily
+from kinematics.se3 import triple
 from service.http.calls import CallRouter
 from service.http.problems import located
 from service.schemas.base import OneOf, Real, Share, Vector3, Wire
@@ -122,5 +123,4 @@ def _built(given: OrientationModel, unit: AngleUnit) -> Built | None:
     """How the expected orientation was made of angles, if it was."""
     if given.angles is None:
         return None
-    first, middle, last = map(unit.in_radians, given.angles)
-    return Built(sequence=given.sequence(), angles=(first, middle, last))
+    return Built(sequence=given.sequence(), angles=triple(map(unit.in_radians, given.angles)))

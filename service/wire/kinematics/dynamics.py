@@ -15,6 +15,7 @@ from kinematics.errors import DescriptionError, Fault, TableError
 from kinematics.expressions import Expression, Number, evaluate, parameters_in
 from kinematics.inverse.lengths import check_lengths
 from kinematics.printing import Format, Purpose
+from kinematics.se3 import triple
 from kinematics.table import JointType, bind, table_parameters
 from service.http.problems import located
 from service.schemas.kinematics.dynamics_request import (
@@ -176,13 +177,13 @@ def dynamics_task(question: SymbolicDynamicsRequest, settings: Settings) -> Dyna
     with located("table"):
         table = with_values(found.metric.table, values)
     links = tuple(_valued(link, values) for link in bodies.links)
-    x, y, z = (substitute(entry, values) for entry in bodies.gravity)
+    gravity = triple(substitute(entry, values) for entry in bodies.gravity)
     entries = [entry for link in links for _, entry in link.entries()]
-    used = set(table_parameters(table)).union(*map(parameters_in, (*entries, x, y, z)))
+    used = set(table_parameters(table)).union(*map(parameters_in, (*entries, *gravity)))
     return DynamicsTask(
         table=table,
         links=links,
-        gravity=(x, y, z),
+        gravity=gravity,
         variables=read.joint_names,
         parts=tuple(dict.fromkeys(question.parts)),
         formats=tuple(dict.fromkeys(question.formats)),
@@ -230,12 +231,8 @@ def _valued(link: SymbolicBody, values: Mapping[str, Expression]) -> SymbolicBod
     def put(entry: Expression) -> Expression:
         return substitute(entry, values)
 
-    x, y, z = map(put, link.centre)
-    rows = []
-    for row in link.inertia:
-        a, b, c = map(put, row)
-        rows.append((a, b, c))
-    return RigidBody(mass=put(link.mass), centre=(x, y, z), inertia=tuple(rows))
+    inertia = tuple(triple(map(put, row)) for row in link.inertia)
+    return RigidBody(mass=put(link.mass), centre=triple(map(put, link.centre)), inertia=inertia)
 
 
 def _plain(value: Any) -> Any:

@@ -1,14 +1,12 @@
 """Products of exponentials."""
 
-from collections.abc import Sequence
-
 from kinematics import screws as screws_module
 from kinematics.cells import AngleUnit, ReadTable
 from kinematics.errors import DescriptionError, Fault
 from kinematics.frames.exactness import exact_table
 from kinematics.inverse.lengths import check_lengths
 from kinematics.screws import product_of_exponentials, table_of_product
-from kinematics.se3 import check_transform
+from kinematics.se3 import check_transform, triple
 from kinematics.table import Convention, JointType
 from service.http.problems import located
 from service.schemas.kinematics.conversion import ConvertRequest, ProductAnswer, ScrewModel, Target
@@ -30,7 +28,7 @@ def described_product(request: ConvertRequest, _settings: Settings) -> RobotDesc
     given = request.poe
     assert given is not None
     convention = Convention.STANDARD if request.to is Target.STANDARD else Convention.MODIFIED
-    screws = tuple(screws_module.Screw(_three(one.linear), _three(one.angular)) for one in given.screws)
+    screws = tuple(screws_module.Screw(triple(one.linear), triple(one.angular)) for one in given.screws)
     with located("poe"):
         for i, (one, screw) in enumerate(zip(given.screws, screws, strict=True)):
             meant = JointType.REVOLUTE if screws_module.turns(screw) else JointType.PRISMATIC
@@ -44,11 +42,6 @@ def described_product(request: ConvertRequest, _settings: Settings) -> RobotDesc
         table=exact_table(assigned.table), angle_unit=unit, length_unit=given.length_unit, parameters={}
     )
     return RobotDescription(read=read, base=assigned.base, tool=assigned.tool)
-
-
-def _three(values: Sequence[float]) -> tuple[float, float, float]:
-    x, y, z = values
-    return x, y, z
 
 
 def product_answer(robot: RobotDescription, request: ConvertRequest) -> ProductAnswer:
