@@ -113,8 +113,7 @@ def _revision(line: str) -> str:
         raise ValueError(FORMAT)
     revision = str(head.get("revision"))
     if revision not in revisions():
-        params = {"found": revision, "known": newest_revision()}
-        raise StorageError(Fault.at("schema_newer", **params))
+        raise StorageError(Fault.at("schema_newer", found=revision, known=newest_revision()))
     return revision
 
 

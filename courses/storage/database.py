@@ -262,8 +262,7 @@ def _alone(store: Store) -> Iterator[None]:
 
 
 def _unusable(store: Store, error: BaseException | None) -> StorageError:
-    params = {"location": store.location, "reason": reason_of(error)}
-    return StorageError(Fault.at("storage_unusable", **params))
+    return StorageError(Fault.at("storage_unusable", location=store.location, reason=reason_of(error)))
 
 
 def _missing(location: str) -> StorageError:

@@ -23,8 +23,7 @@ def advance(connection: sa.Connection, target: str) -> None:
     scripts = ScriptDirectory.from_config(config)
     current = revision_in(connection)
     if current and current not in {script.revision for script in scripts.walk_revisions()}:
-        params = {"found": current, "known": scripts.get_current_head() or ""}
-        raise StorageError(Fault.at("schema_newer", **params))
+        raise StorageError(Fault.at("schema_newer", found=current, known=scripts.get_current_head() or ""))
     with EnvironmentContext(
         config, scripts, fn=lambda revision, _: scripts._upgrade_revs(target, revision)
     ) as environment:

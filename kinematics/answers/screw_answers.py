@@ -11,10 +11,11 @@ Source: K. M. Lynch, F. C. Park, Modern Robotics (2017), 4.1; R. M. Murray, Z. L
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from enum import StrEnum
+from typing import TypeVar
 
 import numpy as np
 
@@ -38,6 +39,8 @@ from kinematics.se3 import (
 )
 from kinematics.table import JointType, NumericTable
 
+Entry = TypeVar("Entry")
+
 UNIT = 0.01
 """How far |ω| may be from 1, and v·ω from 0 as a share of |v|: two decimals. A pitch is allowed, too, that
 moves the joint by no more than the tolerance in half a turn."""
@@ -59,6 +62,11 @@ class ScrewOrder(StrEnum):
 
     LINEAR_FIRST = "linear_first"
     ANGULAR_FIRST = "angular_first"
+
+    def linear_first(self, entries: Sequence[Entry]) -> tuple[Entry, ...]:
+        """Return six entries in this order, numbers or rows, as (v, ω)."""
+        swapped = (*entries[3:], *entries[:3])
+        return tuple(entries) if self is ScrewOrder.LINEAR_FIRST else swapped
 
 
 class ScrewMistake(StrEnum):

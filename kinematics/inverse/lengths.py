@@ -36,5 +36,4 @@ def is_long(length: float) -> bool:
 
 def too_long(where: Sequence[str | int]) -> Fault:
     """Return what is said of a length that is."""
-    params = {"limit": LARGEST_LENGTH}
-    return Fault.at("result_not_finite", *where, **params)
+    return Fault.at("result_not_finite", *where, limit=LARGEST_LENGTH)

@@ -30,8 +30,7 @@ from kinematics.scm.motion import (
     ScmKinematics,
     check_values,
     forward_kinematics_scm,
-    jacobian_base_by_inspection,
-    jacobian_end_by_inspection,
+    jacobian_by_inspection,
     unit_vectors,
 )
 from kinematics.scm.sampling import default_limits, random_configurations

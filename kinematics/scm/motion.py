@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from kinematics.errors import Fault, JointValueError
 from kinematics.expressions import Expression, evaluate, evaluate_each
+from kinematics.jacobian import JacobianFrame
 from kinematics.joint_values import one_configuration
 from kinematics.poses import transform_from_xyzabc
 from kinematics.scm.chain import ChainRow, Entry, Placement, ScmChain
@@ -84,18 +85,22 @@ def check_values(chain: ScmChain, parameters: Mapping[str, float]) -> None:
     evaluate_each((entry for each in placements for entry in _entries(*each)), parameters)
 
 
-def jacobian_base_by_inspection(
-    chain: ScmChain, joints: Sequence[float], parameters: Mapping[str, float] | None = None
+def jacobian_by_inspection(
+    chain: ScmChain,
+    joints: Sequence[float],
+    parameters: Mapping[str, float] | None = None,
+    frame: JacobianFrame = JacobianFrame.BASE,
 ) -> NDArray[np.float64]:
-    """Return the Jacobian J0 of the tool, in frame 0, column by column without differentiating.
+    """Return the Jacobian of the tool, J0 or Jn, column by column without differentiating.
 
-    Column i is [R u × (R p) ; R u] of a revolute joint and [R u ; 0] of a prismatic one, with u the joint's
-    unit vector in frame i, p from frame i to the tool and R the rotation of frame i.
+    Column i of J0 is [R u × (R p) ; R u] of a revolute joint and [R u ; 0] of a prismatic one, with u the
+    joint's unit vector in frame i, p from frame i to the tool and R the rotation of frame i. Jn is J0 in the
+    axes of the tool.
 
     Returns:
         (6, n): velocity above, angular velocity below.
 
-    Source: seed 001 eq. 3.20–3.22.
+    Source: seed 001 eq. 3.20–3.23.
     """
     motion = forward_kinematics_scm(chain, joints, parameters)
     columns = []
@@ -104,21 +109,8 @@ def jacobian_base_by_inspection(
         arm = motion.transform[:3, 3] - motion.frames[i, :3, 3]
         slides = row.joint is JointType.PRISMATIC
         columns.append([*axis, 0.0, 0.0, 0.0] if slides else [*cross_arrays(axis, arm), *axis])
-    return np.array(columns).T
-
-
-def jacobian_end_by_inspection(
-    chain: ScmChain, joints: Sequence[float], parameters: Mapping[str, float] | None = None
-) -> NDArray[np.float64]:
-    """Return the Jacobian Jn of the tool, in the tool's own frame, column by column without differentiating.
-
-    Returns:
-        (6, n): velocity above, angular velocity below.
-
-    Source: seed 001 eq. 3.23.
-    """
-    rotation = forward_kinematics_scm(chain, joints, parameters).transform[:3, :3]
-    return np.kron(np.eye(2), rotation.T) @ jacobian_base_by_inspection(chain, joints, parameters)
+    J: NDArray[np.float64] = np.array(columns).T
+    return J if frame is JacobianFrame.BASE else np.kron(np.eye(2), motion.transform[:3, :3].T) @ J
 
 
 def _unit_vector(row: ChainRow, values: Mapping[str, float]) -> NDArray[np.float64]:

@@ -133,8 +133,7 @@ class KeyFile:
 
 def key_file_unreadable(path: Path, error: Exception) -> UnavailableError:
     """Return the refusal of a file that holds no keys, or cannot be understood."""
-    params = {"file": path.name, "reason": str(error)}
-    return UnavailableError(Fault.at("key_file_unreadable", **params))
+    return UnavailableError(Fault.at("key_file_unreadable", file=path.name, reason=str(error)))
 
 
 def digest_of(text: str) -> str:

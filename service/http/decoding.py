@@ -210,8 +210,7 @@ def _refuse_wide(value: Any, limits: JsonLimits) -> None:
         objects = [node for node in level if type(node) is dict]
         widest = max(map(len, objects), default=0)
         if widest > limits.fields:
-            params = {"given": widest, "limit": limits.fields}
-            raise BodySizeError(Fault.at("json_too_many_fields", **params))
+            raise BodySizeError(Fault.at("json_too_many_fields", given=widest, limit=limits.fields))
         if objects and objects[0] is value:
             inner = [item for name, item in value.items() if name not in limits.long]
         else:

@@ -254,5 +254,4 @@ def _resolve(host: str, port: int) -> list[str]:
 
 
 def _refused(address: str) -> PlatformError:
-    params = {"address": address.partition("?")[0][:200]}
-    return PlatformError(Fault.at("lti_address_refused", **params))
+    return PlatformError(Fault.at("lti_address_refused", address=address.partition("?")[0][:200]))

@@ -98,8 +98,7 @@ def _verified(token: str, platform: Platform, keys: PlatformKeys) -> Mapping[str
         raise LaunchError(Fault.at("lti_token_malformed")) from None
     algorithm, kid = header.get("alg"), header.get("kid")
     if algorithm != ALGORITHM:
-        params = {"algorithm": str(algorithm)[:20]}
-        raise LaunchError(Fault.at("lti_token_algorithm", **params))
+        raise LaunchError(Fault.at("lti_token_algorithm", algorithm=str(algorithm)[:20]))
     if not isinstance(kid, str) or not kid:
         raise LaunchError(Fault.at("lti_token_key"))
     key = keys.key(platform, kid)
@@ -187,8 +186,7 @@ def _message(claims: Mapping[str, Any], subject: str | None, expected: Expected)
     if not isinstance(deployment, str) or not 0 < len(deployment) <= LONGEST_ID:
         raise missing_claim("deployment_id")
     if not expected.knows_deployment(deployment):
-        params = {"deployment": deployment}
-        raise LaunchError(Fault.at("lti_deployment_unknown", **params))
+        raise LaunchError(Fault.at("lti_deployment_unknown", deployment=deployment))
     target = claims.get(f"{names.LTI}target_link_uri")
     if message_type == names.RESOURCE_LINK_REQUEST and target != expected.target:
         raise wrong_claim("target_link_uri")

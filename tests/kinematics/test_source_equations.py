@@ -14,7 +14,7 @@ from kinematics.frames.assignment import CrossProduct, assign_frames
 from kinematics.frames.axes import JointAxis
 from kinematics.inverse import inverse_kinematics
 from kinematics.poses import transform_from_xyzabc
-from kinematics.scm import forward_kinematics_scm, jacobian_base_by_inspection, unit_vectors
+from kinematics.scm import forward_kinematics_scm, jacobian_by_inspection, unit_vectors
 from kinematics.se3 import from_matrix, inverse_transform, move
 from kinematics.table import Convention, DHRow, JointType, NumericTable
 
@@ -181,7 +181,7 @@ def test_the_unit_vectors_of_the_stanford_arm() -> None:
         np.testing.assert_allclose(joint @ u, u, atol=1e-15)  # eq. 3.20: the joint leaves its own axis
     turning = [row.joint is JointType.REVOLUTE for row in chain.rows]
     omega = sum(motion.frames[i, :3, :3] @ units[i] * rates[i] for i in range(chain.n_joints) if turning[i])
-    J = jacobian_base_by_inspection(chain, q.tolist(), lengths)
+    J = jacobian_by_inspection(chain, q.tolist(), lengths)
     np.testing.assert_allclose(J[3:] @ rates, omega, atol=1e-12)
 
 
@@ -192,7 +192,7 @@ def test_the_jacobian_is_the_derivative() -> None:
     chain, step = robot.chain.read.chain, 1e-6
     lengths = {name: robot.parameters[known] for name, known in robot.chain.parameters.items()}
     q = np.random.default_rng(4).uniform(-1, 1, chain.n_joints)
-    J = jacobian_base_by_inspection(chain, q.tolist(), lengths)
+    J = jacobian_by_inspection(chain, q.tolist(), lengths)
     for i, by in enumerate(step * np.eye(len(q))):
         ahead, behind = (
             forward_kinematics_scm(chain, at.tolist(), lengths).transform[:3, 3] for at in (q + by, q - by)
@@ -214,7 +214,7 @@ def test_angular_velocity_is_the_derivative_of_the_rotation() -> None:
     spin = change[:3, :3] @ here[:3, :3].T
     printed = [[0, -spin[1, 0], spin[0, 2]], [spin[1, 0], 0, -spin[2, 1]], [-spin[0, 2], spin[2, 1], 0]]
     np.testing.assert_allclose(spin, printed, atol=1e-8)
-    velocity = jacobian_base_by_inspection(chain, q.tolist(), lengths) @ rates
+    velocity = jacobian_by_inspection(chain, q.tolist(), lengths) @ rates
     expected = [*change[:3, 3], spin[2, 1], spin[0, 2], spin[1, 0]]
     np.testing.assert_allclose(velocity, expected, atol=1e-8)
 

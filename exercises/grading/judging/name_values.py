@@ -98,8 +98,7 @@ def _fault(
         code = "parameter_not_finite"
     else:
         return None
-    params = {"name": spelled[:40], "other": name or ""}
-    return Fault.at(code, "parameters", spelled, **params)
+    return Fault.at(code, "parameters", spelled, name=spelled[:40], other=name or "")
 
 
 def drawn_value(name: str, attempt: int, values: Values) -> float:

@@ -114,8 +114,7 @@ class MistakeType(PartType[M, Raw, Read]):
     def known_name(self, given: str | None, reading: Reading, known: Sequence[str]) -> str | None:
         """Return the name of a mistake as it was given; one that is not in the catalogue is a fault."""
         if given and given not in known:
-            params = {"name": given, "known": ", ".join(known)}
-            reading.fault("misconception_unknown", self.fields[1], **params)
+            reading.fault("misconception_unknown", self.fields[1], name=given, known=", ".join(known))
         return given or None
 
     def number(

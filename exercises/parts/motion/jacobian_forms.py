@@ -141,8 +141,8 @@ class JacobianFormType(JacobianType[JacobianFormPart, JacobianForm]):
             return read_row(texts, replace(reading, faults=[]), names=COMPONENTS)
 
         rounded = roundings(zip(typed, meant, strict=True), COMPONENTS, read_again)
-        if raw.order is ScrewOrder.ANGULAR_FIRST:
-            jacobian = (*jacobian[3:], *jacobian[:3])
+        if raw.order is not None:
+            jacobian = raw.order.linear_first(jacobian)
         return JacobianForm(jacobian=jacobian or None, forces=forces, rounded=rounded)
 
     def scoring(self, part: JacobianFormPart, answer: JacobianForm, context: Context) -> Scoring:

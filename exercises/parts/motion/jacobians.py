@@ -155,9 +155,9 @@ class JacobianPartType(JacobianType[JacobianPart, JacobianNumbers]):
             forces = read_numbers_of(raw.forces, Position.LENGTH, reading, "forces")
         if reading.faults:
             return None
-        jacobian = np.array(rows, dtype=np.float64) if rows else None
-        if jacobian is not None and raw.order is ScrewOrder.ANGULAR_FIRST:
-            jacobian = np.vstack([jacobian[3:], jacobian[:3]])
+        jacobian = None
+        if rows and raw.order is not None:
+            jacobian = np.array(raw.order.linear_first(rows), dtype=np.float64)
         return JacobianNumbers(jacobian=jacobian, forces=forces)
 
     def scoring(self, part: JacobianPart, answer: JacobianNumbers, context: Context) -> Scoring:

@@ -108,9 +108,7 @@ class ScrewsPart(PartType[Part, ScrewsCells, ByName[ScrewAnswer]]):
         home = read_numbers(raw.home, reading, "home")
         if reading.faults or home is None:
             return None
-        screws = np.array(rows, dtype=np.float64)
-        if raw.order is ScrewOrder.ANGULAR_FIRST:
-            screws = np.hstack([screws[:, 3:], screws[:, :3]])
+        screws = np.array([raw.order.linear_first(row or ()) for row in rows], dtype=np.float64)
         return ScrewAnswer(screws=screws, home=home, frame=raw.frame)
 
     def grade(self, part: Part, answer: ByName[ScrewAnswer], context: Context) -> PartReport:

@@ -111,8 +111,7 @@ def _matrix(
         return None
     expected = question.table.n_joints
     if len(rows) != expected:
-        params = {"expected": expected, "given": len(rows)}
-        raise JointValueError(Fault.at("motion_row_count", name, **params))
+        raise JointValueError(Fault.at("motion_row_count", name, expected=expected, given=len(rows)))
     return tuple(_row(row, read, question, name, i) for i, row in enumerate(rows))
 
 

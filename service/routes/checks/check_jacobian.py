@@ -133,9 +133,7 @@ def check_jacobian(body: CheckJacobianRequest, robot: PreparedRobot, language: s
     chain = chain_of_table(robot.table)
     found, forces, slip = None, None, None
     if body.jacobian is not None:
-        given = np.array(body.jacobian, dtype=np.float64)
-        if body.order is ScrewOrder.ANGULAR_FIRST:
-            given = np.vstack([given[3:], given[:3]])
+        given = np.array(body.order.linear_first(body.jacobian), dtype=np.float64)
         found = judge_jacobian(chain, joints, given, body.frame, body.tolerance, angles)
     if body.joint_forces is not None and body.wrench is not None:
         forces, slip = judge_forces(chain, joints, body.wrench, body.joint_forces, body.frame, body.tolerance)
@@ -169,9 +167,8 @@ def check_jacobian_form(
             form.values,
             COMPONENTS,
         )
-        if body.order is ScrewOrder.ANGULAR_FIRST:
-            rows = [*rows[3:], *rows[:3]]
-        found = judge_jacobian_form(form, rows, body.frame, body.tolerance, angles, rounded)
+        jacobian = body.order.linear_first(rows)
+        found = judge_jacobian_form(form, jacobian, body.frame, body.tolerance, angles, rounded)
         proofs.add(found.proof)
     if body.joint_forces is not None and body.wrench is not None:
         given = read_row(body.joint_forces, n, robot.read, form.values, ("joint_forces",))

@@ -79,8 +79,7 @@ def check_rotation(body: CheckRotationRequest, language: str) -> CheckRotationAn
         expected = body.expected.rotation(body.angle_unit)
         failed = failed_properties(expected, body.tolerance)
         if failed:
-            params = {"property": failed[0].value}
-            raise PoseError(Fault.at("expected_not_rotation", "matrix", **params))
+            raise PoseError(Fault.at("expected_not_rotation", "matrix", property=failed[0].value))
         built = _built(body.expected, body.angle_unit)
     with located("answer"):
         found = _judged(expected, body, built)

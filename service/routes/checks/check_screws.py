@@ -77,17 +77,14 @@ def check_screws(body: CheckScrewsRequest, robot: PreparedRobot, language: str) 
     """
     n = len(robot.table.joint_types)
     if len(body.screws) != n:
-        params = {"expected": n, "given": len(body.screws)}
-        raise DescriptionError(Fault.at("screw_count", "screws", **params))
+        raise DescriptionError(Fault.at("screw_count", "screws", expected=n, given=len(body.screws)))
     pose = pose_matrix(body.home, robot.angle, "home")
     if len(pose) != 4 or any(len(row) != 4 for row in pose):
         raise DescriptionError(Fault.at("matrix_not_4x4", "home"))
-    screws, home = np.array(body.screws), np.array(pose)
+    screws, home = np.array([body.order.linear_first(row) for row in body.screws]), np.array(pose)
     for name, values in (("screws", screws), ("home", home)):
         if np.abs(values).max() > LARGEST:
             raise DescriptionError(Fault.at("screw_too_large", name, limit=LARGEST))
-    if body.order is ScrewOrder.ANGULAR_FIRST:
-        screws = np.hstack([screws[:, 3:], screws[:, :3]])
     with traced(body):
         answer = ScrewAnswer(screws=screws, home=home, frame=body.frame)
         policy = body.policy.policy()

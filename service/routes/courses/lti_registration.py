@@ -54,8 +54,7 @@ def _register(request: Request, secret: str) -> Response:
     check_invitation(courses.store, secret, now())
     configuration = request.query_params.get("openid_configuration", "")
     if not configuration:
-        params = {"name": "openid_configuration"}
-        raise LoginError(Fault.at("lti_parameter_missing", **params))
+        raise LoginError(Fault.at("lti_parameter_missing", name="openid_configuration"))
     platform, deployment = register(
         courses.fetcher, configuration, request.query_params.get("registration_token"), _tool(request)
     )

@@ -163,5 +163,4 @@ def _one_array(parts: tuple[PoseQuantity, ...]) -> tuple[PoseQuantity, ...]:
 
 
 def _one_part(field: str) -> RequestError:
-    params = {"allowed": tuple(part.value for part in ARRAY_PARTS)}
-    return RequestError(Fault.at("npy_one_part", field, **params))
+    return RequestError(Fault.at("npy_one_part", field, allowed=tuple(part.value for part in ARRAY_PARTS)))

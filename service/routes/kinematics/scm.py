@@ -11,8 +11,7 @@ from kinematics.printing import Format, Notation
 from kinematics.scm import (
     ScmKinematics,
     forward_kinematics_scm,
-    jacobian_base_by_inspection,
-    jacobian_end_by_inspection,
+    jacobian_by_inspection,
     jacobian_numbers_by_differentiation,
     unit_vectors,
 )
@@ -164,19 +163,16 @@ async def jacobian(body: ScmJacobianRequest, request: ApiRequest) -> ScmJacobian
         return await _closed(body, wanted, request)
     prepared = await _prepared(body, request)
     joints = values_in_radians(body.joints, prepared.joint_units, "joints")
-    if inspected:
-        base = jacobian_base_by_inspection(prepared.chain, joints, prepared.values)
-        end = jacobian_end_by_inspection(prepared.chain, joints, prepared.values)
-    else:
-        base, end = (
-            jacobian_numbers_by_differentiation(prepared.chain, joints, prepared.values, frame)
-            for frame in (JacobianFrame.BASE, JacobianFrame.END)
-        )
+    jacobian_in = jacobian_by_inspection if inspected else jacobian_numbers_by_differentiation
+    J0, Jn = (
+        jacobian_in(prepared.chain, joints, prepared.values, frame)
+        for frame in (JacobianFrame.BASE, JacobianFrame.END)
+    )
     return ScmJacobianAnswer(
         **units_of(prepared.read),
         method=body.method,
-        J0=plain_lists(base),
-        Jn=plain_lists(end),
+        J0=plain_lists(J0),
+        Jn=plain_lists(Jn),
         unit_vectors=plain_lists(unit_vectors(prepared.chain, prepared.values)),
     )
 

@@ -105,5 +105,4 @@ async def random_configuration(
 def _refuse_length(limits: Sequence[Any], prepared: PreparedChain) -> None:
     n = prepared.chain.n_joints
     if len(limits) != n:
-        params = {"expected": n, "given": len(limits)}
-        raise JointValueError(Fault.at("limits_wrong_length", "limits", **params))
+        raise JointValueError(Fault.at("limits_wrong_length", "limits", expected=n, given=len(limits)))

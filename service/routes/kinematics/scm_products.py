@@ -16,7 +16,13 @@ from service.http.problems import moved
 from service.http.routing import ApiRequest, BytesResponse, OneRobotRoute
 from service.http.validation import CHOICE
 from service.schemas.base import LONGEST_LIST, Matrix4, OneOf, Real, Wire
-from service.schemas.kinematics.scm import ENTRIES, ListedPlacement, PlacementModel, SixEntries
+from service.schemas.kinematics.scm import (
+    ENTRIES,
+    PLACEMENT_SHAPES,
+    ListedPlacement,
+    PlacementModel,
+    SixEntries,
+)
 from service.schemas.kinematics.written_matrices import SomeParameters, WrittenJacobians, WrittenMatrix
 from service.schemas.tables import SHORT_CELL, Units
 from service.wire.kinematics.chain_forms import DEFAULT_FORMATS
@@ -47,15 +53,7 @@ MotionFactor: TypeAlias = Annotated[
         {
             "description": "a motion: an object with some of x, y, z, a, b, c (one alone is HTX … HRX), "
             "the list [X, Y, Z, A, B, C] of a frame, or a 4×4 matrix of cells with the last row 0, 0, 0, 1",
-            "anyOf": [
-                {
-                    "type": "object",
-                    "properties": dict.fromkeys(ENTRIES, SHORT_CELL),
-                    "additionalProperties": False,
-                },
-                {"type": "array", "items": SHORT_CELL, "minItems": 6, "maxItems": 6},
-                {"type": "array", "items": _ROW, "minItems": 4, "maxItems": 4},
-            ],
+            "anyOf": [*PLACEMENT_SHAPES, {"type": "array", "items": _ROW, "minItems": 4, "maxItems": 4}],
         }
     ),
 ]

@@ -43,6 +43,10 @@ def placement_by_name(value: Any) -> Any:
     return value
 
 
+PLACEMENT_SHAPES: list[dict[str, Any]] = [
+    {"type": "object", "properties": dict.fromkeys(ENTRIES, SHORT_CELL), "additionalProperties": False},
+    {"type": "array", "items": SHORT_CELL, "minItems": 6, "maxItems": 6},
+]
 SixEntries: TypeAlias = Annotated[
     PlacementModel,
     BeforeValidator(placement_by_name),
@@ -50,14 +54,7 @@ SixEntries: TypeAlias = Annotated[
         {
             "description": "Trans(x, y, z) Rot_z(a) Rot_y(b) Rot_x(c): an object (left out means 0), "
             "or the list [X, Y, Z, A, B, C]",
-            "anyOf": [
-                {
-                    "type": "object",
-                    "properties": dict.fromkeys(ENTRIES, SHORT_CELL),
-                    "additionalProperties": False,
-                },
-                {"type": "array", "items": SHORT_CELL, "minItems": 6, "maxItems": 6},
-            ],
+            "anyOf": PLACEMENT_SHAPES,
         }
     ),
 ]

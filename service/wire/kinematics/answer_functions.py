@@ -111,8 +111,7 @@ def check_count(row: Sequence[Any], expected: int, where: Where) -> None:
         JointValueError: it has not.
     """
     if len(row) != expected:
-        params = {"expected": expected, "given": len(row)}
-        raise JointValueError(Fault.at("joint_row_length", *where, **params))
+        raise JointValueError(Fault.at("joint_row_length", *where, expected=expected, given=len(row)))
 
 
 def form_values(question: RobotQuestion, robot: PreparedRobot) -> dict[str, float]:

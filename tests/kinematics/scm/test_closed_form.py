@@ -25,10 +25,9 @@ from kinematics.scm import (
     derivative,
     forward_kinematics_scm,
     inverse_closed_form_scm,
-    jacobian_base_by_inspection,
     jacobian_by_differentiation,
+    jacobian_by_inspection,
     jacobian_closed_form_scm,
-    jacobian_end_by_inspection,
     jacobian_numbers_by_differentiation,
 )
 from kinematics.scm.products import jacobian_of_product
@@ -105,11 +104,8 @@ def test_all_ways_to_a_jacobian_agree_for_any_chain(chain, random):
     numbers = {name: random.uniform(-1, 1) for name in chain.parameters}
     q = [random.uniform(-3, 3) for _ in chain.chain.rows]
     transform = closed_form_scm(chain.chain).transform
-    for frame, by_inspection in (
-        (JacobianFrame.BASE, jacobian_base_by_inspection),
-        (JacobianFrame.END, jacobian_end_by_inspection),
-    ):
-        expected = by_inspection(chain.chain, q, numbers)
+    for frame in JacobianFrame:
+        expected = jacobian_by_inspection(chain.chain, q, numbers, frame)
         symbolic = numbers_of(jacobian_closed_form_scm(chain.chain, frame), numbers, q)
         derived = numbers_of(jacobian_by_differentiation(transform, len(q), frame), numbers, q)
         differentiated = jacobian_numbers_by_differentiation(chain.chain, q, numbers, frame)

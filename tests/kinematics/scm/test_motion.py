@@ -6,13 +6,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinematics.errors import JointValueError, ParameterError
+from kinematics.jacobian import JacobianFrame
 from kinematics.scm import (
     RawChain,
     check_values,
     closed_form_scm,
     forward_kinematics_scm,
-    jacobian_base_by_inspection,
-    jacobian_end_by_inspection,
+    jacobian_by_inspection,
     read_chain,
     verify,
 )
@@ -73,8 +73,7 @@ def test_jacobians_of_rows_that_also_turn_by_constants():
 
 
 def _assert_jacobians(chain, q, numbers):
-    base = jacobian_base_by_inspection(chain, q, numbers)
-    end = jacobian_end_by_inspection(chain, q, numbers)
+    base, end = (jacobian_by_inspection(chain, q, numbers, frame) for frame in JacobianFrame)
     pose = forward_kinematics_scm(chain, q, numbers).transform
     step = 1e-6
     for i in range(len(q)):

@@ -33,8 +33,7 @@ def described_product(request: ConvertRequest, _settings: Settings) -> RobotDesc
         for i, (one, screw) in enumerate(zip(given.screws, screws, strict=True)):
             meant = JointType.REVOLUTE if screws_module.turns(screw) else JointType.PRISMATIC
             if one.joint not in (None, meant):
-                params = {"joint": i + 1}
-                raise DescriptionError(Fault.at("screw_of_other_type", "screws", i, **params))
+                raise DescriptionError(Fault.at("screw_of_other_type", "screws", i, joint=i + 1))
         unit = request.angle_unit or AngleUnit.RAD
         home = check_transform(pose_matrix(given.home, unit.radians, "home"), where=("home",))
         assigned = table_of_product(screws_module.ProductOfExponentials(screws=screws, home=home), convention)
