@@ -20,6 +20,7 @@ from exercises.selftest.answers import context_of
 from exercises.selftest.checks import check
 from kinematics.frames.assignment import assign_frames
 from kinematics.frames.axes import read_axes, robot_size
+from kinematics.frames.wrong_frames import right_handed
 from kinematics.table import Convention
 from tests.exercises.packaged import exercise, exercise_ids
 from tests.exercises.parts.frame_assignments import (
@@ -76,7 +77,7 @@ def test_the_procedure_in_either_convention_is_right(exercise_id: str, conventio
 
     assigned = assign_frames(figure_axes(generate(found, "5")), convention)
     raw = FramesCells(
-        convention=convention, frames=tuple(_cells(f.origin, f.x, f.z) for f in assigned.frames)
+        convention=convention, frames=tuple(_cells(right_handed(f.origin, f.x, f.z)) for f in assigned.frames)
     )
     assert told(found, raw).correct
 
