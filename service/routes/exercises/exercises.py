@@ -8,10 +8,11 @@ from fastapi import Path, Request, Response
 
 from exercises.access import lowest
 from exercises.answers import parse
+from exercises.definition import Exercise
 from exercises.errors import AnswerError
 from exercises.grader import Report, grade
 from exercises.grading import HelpLevel
-from exercises.instance import SEED_CHARACTERS, Instance
+from exercises.instance import SEED_CHARACTERS, Instance, cached_instance
 from kinematics.errors import Fault
 from service.http.languages import language_of
 from service.http.link_context import LinkContext
@@ -134,7 +135,7 @@ def _asked_instance(request: ApiRequest) -> Instance:
         NotFoundError: there is no such exercise.
         RequestError: the seed is too long.
     """
-    seed = seed_of(request)
+    seed = _seed_of(request)
     try:
         with known_exercise():
             return instance_of(resources_of(request).exercises, request.path_params["exercise_id"], seed)
@@ -144,7 +145,7 @@ def _asked_instance(request: ApiRequest) -> Instance:
 
 async def _first(request: ApiRequest, what: str, work: Callable[[], _Result]) -> _Result:
     """What follows from the values that the address names a seed for; of one exercise all take as long."""
-    context, seed = context_of(request), seed_of(request)
+    context, seed = context_of(request), _seed_of(request)
     exercise_id = request.path_params["exercise_id"]
     question = (what, exercise_id, seed, language_of(request), context)
     return (
@@ -187,57 +188,60 @@ async def grade_answer(request: ApiRequest) -> Response:
     points. A request that cannot be graded is refused and costs no attempt.
     """
     language = language_of(request)
+    resources = resources_of(request)
     with answer_refused():
-        report = await _judged(request)
-    resources_of(request).metrics.graded(correct=report.correct, score=report.score, kept=False)
+        # an address at which nothing is comes before what is wrong
+        found = resources.exercises.exercise(request.path_params["exercise_id"])
+        wire = validated(ExerciseAnswer, await request.json())
+        _, report = await judged(request, found, wire, resources.help_now)
+    resources.metrics.graded(correct=report.correct, score=report.score, kept=False)
     return Response(encoded(report_body(report, language)), media_type=JSON, headers=_headers(language))
 
 
-async def _judged(request: ApiRequest) -> Report:
-    exercise_id = request.path_params["exercise_id"]
-    library = resources_of(request).exercises
-    found = library.exercise(exercise_id)  # an address at which nothing is comes before what is wrong
-    wire = validated(ExerciseAnswer, await request.json())
-    raw, limits = wire.raw(), request.settings.cell_limits
+async def judged(
+    request: Request,
+    found: Exercise,
+    wire: ExerciseAnswer,
+    help_now: Callable[[HelpLevel | None], HelpLevel | None] = lambda asked: asked,
+) -> tuple[Instance, Report]:
+    """Return what an answer is judged by, and the report; a link's settings go before those of the answer.
 
-    help_level, attempt = help_of(context_of(request), wire.help, wire.attempt)
-    refuse_beyond(attempts_of(found, context_of(request)), attempt)
+    Args:
+        help_now: how much of the help that it allows is given at the moment.
 
-    resources = resources_of(request)
+    Raises:
+        ForbiddenError: there are no more attempts.
+    """
+    resources, context = resources_of(request), context_of(request)
+    level, attempt = _help_of(context, wire.help, wire.attempt)
+    attempts = attempts_of(found, context)
+    if attempts is not None and attempt is not None and attempt > attempts:
+        raise ForbiddenError(Fault.at("attempts_used_up", "attempt", limit=attempts))
 
-    def work() -> Report:
-        instance = instance_of(library, exercise_id, seed_of(request, wire.seed))
-        return grade(instance, parse(instance, raw, limits), resources.help_now(help_level), attempt)
+    def work() -> tuple[Instance, Report]:
+        instance = cached_instance(found, _seed_of(request, wire.seed))
+        answer = parse(instance, wire.raw(), resources.settings.cell_limits)
+        return instance, grade(instance, answer, help_now(level), attempt)
 
     return await resources.grading.run(work)
 
 
-def seed_of(request: Request, asked: str | None = None) -> str | None:
-    """Return the seed of the student's link, else that of the body, else that of the address."""
+def _seed_of(request: Request, asked: str | None = None) -> str | None:
+    """The seed of the student's link, else that of the body, else that of the address."""
     context = context_of(request)
     if context is not None and context.seed is not None:
         return context.seed
     return request.query_params.get("seed") if asked is None else asked
 
 
-def help_of(
+def _help_of(
     context: LinkContext | None, asked: HelpLevel | None, attempt: int | None
 ) -> tuple[HelpLevel | None, int | None]:
-    """Return the help that may be given and the number of the attempt; a link's own go before a caller's."""
+    """The help that may be given and the number of the attempt; a link's own go before a caller's."""
     if context is None:
         return asked, attempt
     levels = [level for level in (asked, context.help) if level is not None]
     return (lowest(levels) if levels else None), attempt if context.attempt is None else context.attempt
-
-
-def refuse_beyond(attempts: int | None, attempt: int | None) -> None:
-    """Refuse an attempt beyond the last.
-
-    Raises:
-        ForbiddenError: there are no more attempts.
-    """
-    if attempts is not None and attempt is not None and attempt > attempts:
-        raise ForbiddenError(Fault.at("attempts_used_up", "attempt", limit=attempts))
 
 
 def _text(request: Request, body: bytes, language: str, media_type: str) -> Response:

@@ -9,8 +9,7 @@ import segno
 from fastapi import Request, Response
 from pydantic import Field
 
-from exercises.answers import parse
-from exercises.grader import Report, grade
+from exercises.grader import Report
 from exercises.instance import Instance
 from exercises.parts.protocol import TABLE
 from kinematics.table import COLUMNS
@@ -22,10 +21,10 @@ from service.http.routing import api_router
 from service.messages import sentence
 from service.receipts.receipt import LONGEST_NAME, PartScore, Receipt, answer_hash, issue
 from service.resources import AppResources
-from service.routes.exercises.exercises import Id, help_of, refuse_beyond, seed_of
+from service.routes.exercises.exercises import Id, judged
 from service.schemas.base import Real, Wire
 from service.schemas.exercises.exercises import ExerciseAnswer
-from service.wire.exercises.exercise_views import attempts_of, instance_of
+from service.wire.exercises.exercise_views import instance_of
 from service.wire.exercises.figure_files import figure_file
 from service.wire.exercises.ungraded import answer_refused
 from service.work.limiters import WorkKind
@@ -123,18 +122,8 @@ async def _issued(
     request: Request, exercise_id: str, body: ReceiptRequest, resources: AppResources
 ) -> tuple[str, Receipt]:
     """A signed receipt for an answer, judged as its link says."""
-    context = context_of(request)
     with answer_refused():
-        found = resources.exercises.exercise(exercise_id)
-        level, attempt = help_of(context, body.help, body.attempt)
-        refuse_beyond(attempts_of(found, context), attempt)
-
-        def work() -> tuple[Instance, Report]:
-            instance = instance_of(resources.exercises, exercise_id, seed_of(request, body.seed))
-            answer = parse(instance, body.raw(), resources.settings.cell_limits)
-            return instance, grade(instance, answer, level, attempt)
-
-        instance, report = await resources.grading.run(work)
+        instance, report = await judged(request, resources.exercises.exercise(exercise_id), body)
     receipt = _receipt(request, instance, body, report)
     return issue(receipt, resources.receipt_keys), receipt
 

@@ -21,7 +21,7 @@ from service.schemas.base import LONGEST_LIST, Coordinates, Matrix4, OneOf, Real
 from service.schemas.kinematics.joint_axes import AxesQuestion, GripperTool
 from service.schemas.tables import AnsweredTable, Units, units_of
 from service.wire.kinematics.pose_matrices import pose_matrix
-from service.wire.kinematics.written_tables import numeric_row, numeric_table
+from service.wire.kinematics.written_tables import TableWriter
 
 router = CallRouter("kinematics")
 
@@ -178,7 +178,7 @@ def assign(body: AssignFramesRequest, language: str) -> AssignFramesAnswer:
     )
     return AssignFramesAnswer(
         **units_of(body),
-        table=AnsweredTable.model_validate(numeric_table(result.table, body.angle_unit, body.length_unit)),
+        table=AnsweredTable.model_validate(TableWriter(units=body).table(result.table)),
         base=result.base.tolist(),
         tool=result.tool.tolist(),
         frames=[Frame.from_record(frame) for frame in result.frames],
@@ -198,8 +198,8 @@ def check(body: CheckFramesRequest, language: str) -> CheckFramesAnswer:
         [None if chosen is None else chosen.frame() for chosen in body.frames],
         **_ends(body),
     )
-    units = body.angle_unit, body.length_unit
-    rows = [row and numeric_row(row, i, body.angle_unit) for i, row in enumerate(judged.rows, 1)]
+    writer = TableWriter(units=body)
+    rows = [row and writer.row(row, i) for i, row in enumerate(judged.rows, 1)]
     return CheckFramesAnswer(
         **units_of(body),
         frames=[
@@ -209,7 +209,7 @@ def check(body: CheckFramesRequest, language: str) -> CheckFramesAnswer:
             for frame in judged.frames
         ],
         rows=[FoundRow.model_validate(row, strict=False) if row else None for row in rows],
-        table=AnsweredTable.model_validate(numeric_table(judged.table, *units)) if judged.table else None,
+        table=AnsweredTable.model_validate(writer.table(judged.table)) if judged.table else None,
         base=_matrix(judged.base),
         tool=_matrix(judged.tool),
     )

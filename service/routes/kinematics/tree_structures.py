@@ -135,7 +135,7 @@ def trees(body: TreeRequest, limits: Limits) -> TreeAnswer:
     if unknown:
         raise TableError(unknown)
     frames = tree_frames(tree, robot.table, joints)
-    writer = TableWriter(angle_unit=tree.read.angle_unit, length_unit=tree.read.length_unit)
+    writer = TableWriter(units=tree.read)
     ends = [
         TreeEnd(
             frame=end,

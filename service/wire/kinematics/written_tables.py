@@ -2,12 +2,12 @@
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any, TypeAlias
 
-from kinematics.cells import DEFAULT, AngleUnit, LengthUnit, ParameterKind
+from kinematics.cells import DEFAULT, AngleUnit, ParameterKind
 from kinematics.cells.exact import snapped
 from kinematics.expressions import Expression, pi_fraction, rational_value
 from kinematics.printing.notation import Names
@@ -37,40 +37,41 @@ class TableWriter:
     """Writes tables in given units.
 
     Attributes:
-        angle_unit: unit of angles written as numbers.
+        units: of angles and lengths that are written as numbers.
         spellings: how a person wrote a constant, to be kept where the same constant is written again.
         variable_cells: how a person wrote the cells with the joint variables, by joint number.
     """
 
-    angle_unit: AngleUnit
-    length_unit: LengthUnit
+    units: Measured
     spellings: Spellings = field(default_factory=dict)
     variable_cells: Mapping[int, WireCell] = field(default_factory=dict)
 
-    def table(self, table: SymbolicTable) -> WireTable:
-        """Return a table of exact entries."""
+    def table(self, table: SymbolicTable | NumericTable) -> WireTable:
+        """Return a table of exact entries, or of numbers."""
         numbers = {row: joint for joint, row in enumerate(table.joint_rows, 1)}
-        rows = [self.row(row, numbers.get(i, 0)) for i, row in enumerate(table.rows)]
-        return {"convention": table.convention.value, **units_of(self), "rows": rows}
+        given: Sequence[SymbolicRow | NumericRow] = table.rows
+        rows = [self.row(row, numbers.get(i, 0)) for i, row in enumerate(given)]
+        return {"convention": table.convention.value, **units_of(self.units), "rows": rows}
 
-    def row(self, row: SymbolicRow, joint: int = 0) -> dict[str, WireCell]:
+    def row(self, row: SymbolicRow | NumericRow, joint: int = 0) -> dict[str, WireCell]:
         """Return a row; `joint` is the number of its variable, if it has one."""
         cells: dict[str, WireCell] = {"joint": row.joint.value}
         for name, kind in CELL_KINDS.items():
             cells[name] = self.cell(getattr(row, name), kind)
         held = VARIABLE_CELLS.get(row.joint)
         if held is not None:
-            own = with_variable(f"{'-' if row.sign < 0 else ''}q{joint}", cells[held])
-            cells[held] = self.variable_cells.get(joint, own)
+            cells[held] = self.variable_cells.get(joint, with_variable(row.sign, joint, cells[held]))
         return cells
 
-    def cell(self, entry: Expression, kind: ParameterKind) -> WireCell:
+    def cell(self, entry: Expression | float, kind: ParameterKind) -> WireCell:
         """Return an entry: a number where a number says it exactly, else an expression."""
+        if isinstance(entry, int | float):
+            return angle_in(self.units.angle_unit, entry) if kind is ParameterKind.ANGLE else _readable(entry)
         known = self.spellings.get((kind, entry))
         if known is not None:
             return known
         value = rational_value(entry)
-        if kind is ParameterKind.ANGLE and self.angle_unit is AngleUnit.DEG:
+        if kind is ParameterKind.ANGLE and self.units.angle_unit is AngleUnit.DEG:
             turns = pi_fraction(entry)
             if turns is not None:
                 return _number(turns * _HALF_TURN)
@@ -83,34 +84,7 @@ class TableWriter:
 
 def table_in_units_of(asked: Measured, table: SymbolicTable) -> Table:
     """Return a table of exact entries as it goes out, in the units of what was asked about."""
-    writer = TableWriter(angle_unit=asked.angle_unit, length_unit=asked.length_unit)
-    return Table.model_validate(writer.table(table), strict=False)
-
-
-def numeric_table(table: NumericTable, angle_unit: AngleUnit, length_unit: LengthUnit) -> WireTable:
-    """Return a table of numbers, written as numbers."""
-    numbers = {row: joint for joint, row in enumerate(table.joint_rows, 1)}
-    return {
-        "convention": table.convention.value,
-        "angle_unit": angle_unit.value,
-        "length_unit": length_unit.value,
-        "rows": [numeric_row(row, numbers.get(i, 0), angle_unit) for i, row in enumerate(table.rows)],
-    }
-
-
-def numeric_row(row: NumericRow, joint: int, angle_unit: AngleUnit) -> dict[str, WireCell]:
-    """Return a row of numbers, written as numbers; `joint` is the number of its variable, if it has one."""
-    cells: dict[str, WireCell] = {
-        "joint": row.joint.value,
-        "alpha": angle_in(angle_unit, row.alpha),
-        "a": _readable(row.a),
-        "d": _readable(row.d),
-        "theta": angle_in(angle_unit, row.theta),
-    }
-    held = VARIABLE_CELLS.get(row.joint)
-    if held is not None:
-        cells[held] = with_variable(f"{'-' if row.sign < 0 else ''}q{joint}", cells[held])
-    return cells
+    return Table.model_validate(TableWriter(units=asked).table(table), strict=False)
 
 
 def angle_in(unit: AngleUnit, value: float) -> float:
@@ -155,8 +129,9 @@ def cell_text(entry: Expression) -> str:
     return _TOO_LONG.sub(lambda found: repr(float(found[0])), TextWriter(Names()).text(entry))
 
 
-def with_variable(variable: str, offset: WireCell) -> str:
-    """Return a cell with a joint variable and a constant."""
+def with_variable(sign: int, joint: int, offset: WireCell) -> str:
+    """Return a cell with a joint variable, which counts in the sense of its sign, and a constant."""
+    variable = f"{'-' if sign < 0 else ''}q{joint}"
     if offset == 0:
         return variable
     text = str(offset)

@@ -7,7 +7,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from kinematics.cells import AngleUnit, ParameterKind, RawTable, ReadTable, bind_parameters, read_table
+from kinematics.cells import ParameterKind, RawTable, ReadTable, bind_parameters, read_table
 from kinematics.conversion import XScrew, convert, fixed_row
 from kinematics.dh import link_transform
 from kinematics.expressions import Expression, add, evaluate, multiply, number, parameters_in
@@ -28,7 +28,6 @@ from service.wire.kinematics.written_tables import (
     TableWriter,
     WireCell,
     cell_text,
-    numeric_row,
 )
 
 Matrix = list[list[WireCell]]
@@ -77,12 +76,7 @@ def table_answer(robot: RobotDescription, request: ConvertRequest) -> TableAnswe
     before, behind = ends_in_expressions(robot)
     base_screw, tool_screw = x_screw(before), x_screw(behind)
     converted = convert(robot.read.table, convention, base=base_screw, tool=tool_screw)
-    writer = TableWriter(
-        angle_unit=robot.read.angle_unit,
-        length_unit=robot.read.length_unit,
-        spellings=robot.spellings,
-        variable_cells=robot.variable_cells,
-    )
+    writer = TableWriter(units=robot.read, spellings=robot.spellings, variable_cells=robot.variable_cells)
     table = writer.table(converted.table)
     before, behind = None if base_screw else before, None if tool_screw else behind
     base = matrix_of_cells(converted.base, robot, before=robot.base if before is None else before)
@@ -96,8 +90,8 @@ def table_answer(robot: RobotDescription, request: ConvertRequest) -> TableAnswe
         tool=tool,
         base_row=base_row,
         tool_row=tool_row,
-        base_rows=_rows(base, base_row, convention, robot.read.angle_unit),
-        tool_rows=_rows(tool, tool_row, convention, robot.read.angle_unit),
+        base_rows=_rows(base, base_row, convention, writer),
+        tool_rows=_rows(tool, tool_row, convention, writer),
         **robot.names_and_limits,
     )
 
@@ -164,7 +158,7 @@ def _row(screw: XScrew[Expression] | None, writer: TableWriter, other: Transform
 
 
 def _rows(
-    pose: Matrix, single: AnsweredRow | None, convention: Convention, unit: AngleUnit
+    pose: Matrix, single: AnsweredRow | None, convention: Convention, writer: TableWriter
 ) -> list[AnsweredRow] | None:
     """The pose as fixed rows; None if it depends on a parameter without a value and is not a single row."""
     if single is not None:
@@ -172,7 +166,7 @@ def _rows(
     if any(isinstance(entry, str) for row in pose for entry in row):
         return None
     rows = fixed_rows(np.array(pose, dtype=float), convention)
-    return [AnsweredRow.model_validate(numeric_row(row, 0, unit)) for row in rows]
+    return [AnsweredRow.model_validate(writer.row(row)) for row in rows]
 
 
 def _spellings(raw: RawTable, read: ReadTable) -> Spellings:

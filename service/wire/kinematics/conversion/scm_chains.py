@@ -62,9 +62,7 @@ def scm_answer(robot: RobotDescription, request: ConvertRequest) -> ScmAnswer:
         TableError: the table has no joints.
         ParameterError: a parameter has no value, and one is needed.
     """
-    writer = TableWriter(
-        angle_unit=robot.read.angle_unit, length_unit=robot.read.length_unit, spellings=robot.spellings
-    )
+    writer = TableWriter(units=robot.read, spellings=robot.spellings)
     with traced(request):
         before, behind = ends_in_expressions(robot)
         moved = _moved(robot.read.table, behind)
@@ -117,5 +115,5 @@ def _placement(placement: Placement, writer: TableWriter) -> dict[str, WireCell]
 def _row(row: ChainRow, joint: int, writer: TableWriter) -> dict[str, WireCell]:
     cells = _placement(row.constant, writer)
     held = row.variable.value
-    cells[held] = with_variable(f"{'-' if row.sign < 0 else ''}q{joint}", cells.get(held, 0))
+    cells[held] = with_variable(row.sign, joint, cells.get(held, 0))
     return cells
