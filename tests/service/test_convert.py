@@ -11,17 +11,12 @@ from hypothesis import strategies as st
 
 from tests.examples import CYLINDRICAL, PUMA_560
 from tests.service import oracle
+from tests.service.asking import answered
 from tests.service.test_bad_input import check_problem
 from tests.service.test_forward_kinematics import questions
 
 PATH = "/api/v1/convert"
 FK = "/api/v1/forward-kinematics"
-
-
-def answered(client: httpx.Client, path: str, body: dict[str, Any]) -> Any:
-    response = client.post(path, json=body)
-    assert response.status_code == 200, response.text
-    return response.json()
 
 
 def pose(client: httpx.Client, table: Any, joints: list[float], **more: Any) -> np.ndarray:

@@ -9,6 +9,7 @@ import pytest
 
 from kinematics import catalogue
 from tests.examples import CYLINDRICAL, PUMA_560
+from tests.service.asking import answered
 from tests.service.test_bad_input import check_problem
 
 CONVERT = "/api/v1/convert"
@@ -16,12 +17,6 @@ FK = "/api/v1/forward-kinematics"
 FORMS = ("standard", "modified", "poe", "scm", "urdf")
 BASE = [[0, -1, 0, 0.1], [1, 0, 0, 0.2], [0, 0, 1, 0.3], [0, 0, 0, 1]]
 TOOL = [[1, 0, 0, 0.05], [0, 0, -1, 0], [0, 1, 0, 0.1], [0, 0, 0, 1]]
-
-
-def answered(client: httpx.Client, path: str, body: dict[str, Any]) -> Any:
-    response = client.post(path, json=body)
-    assert response.status_code == 200, response.text
-    return response.json()
 
 
 def source(form: str, answer: dict[str, Any]) -> dict[str, Any]:

@@ -7,6 +7,7 @@ import httpx
 import numpy as np
 import pytest
 
+from tests.service.asking import answered
 from tests.service.test_bad_input import check_problem
 
 PATH = "/api/v1/dynamics"
@@ -32,15 +33,9 @@ ARM: dict[str, Any] = {
 }
 
 
-def answered(client: httpx.Client, body: dict[str, Any]) -> Any:
-    response = client.post(PATH, json=body, timeout=120)
-    assert response.status_code == 200, response.text
-    return response.json()
-
-
 def test_two_links_by_hand(client: httpx.Client) -> None:
     """h1 = −m2 L1 r2 sin q2 (2 q̇1 q̇2 + q̇2²), g2 = m2 r2 g cos(q1 + q2)."""
-    found = answered(client, {**ARM, "rates": [1, -2], "accelerations": [0.5, 0.25]})
+    found = answered(client, PATH, {**ARM, "rates": [1, -2], "accelerations": [0.5, 0.25]})
     coupling = 0.0225 + 0.01 + 0.4 * 0.15 * math.cos(0.6)
     assert found["M"][0][1] == found["M"][1][0] == pytest.approx(coupling)
     h1 = -0.4 * 0.15 * math.sin(0.6) * (2 * -2 + 4)
@@ -50,12 +45,12 @@ def test_two_links_by_hand(client: httpx.Client) -> None:
     torque = M @ [0.5, 0.25] + C @ [1, -2] + found["g"]
     np.testing.assert_allclose(found["torque"], torque, atol=1e-12)
     np.testing.assert_allclose(C @ [1, -2], found["h"], atol=1e-12)
-    back = answered(client, {**ARM, "rates": [1, -2], "torque": found["torque"]})
+    back = answered(client, PATH, {**ARM, "rates": [1, -2], "torque": found["torque"]})
     np.testing.assert_allclose(back["accelerations"], [0.5, 0.25], atol=1e-10)
 
 
 def test_units_of_the_table_change_nothing_that_comes_back(client: httpx.Client) -> None:
-    metres = answered(client, {**ARM, "rates": [1, -2]})
+    metres = answered(client, PATH, {**ARM, "rates": [1, -2]})
     lengths = {name: VALUES[name] * 1000 for name in ("L1", "L2", "r1", "r2")}
     other = {
         **ARM,
@@ -64,7 +59,7 @@ def test_units_of_the_table_change_nothing_that_comes_back(client: httpx.Client)
         "joints": [math.degrees(0.3), math.degrees(0.6)],
         "rates": [math.degrees(1), math.degrees(-2)],
     }
-    found = answered(client, other)
+    found = answered(client, PATH, other)
     for name in ("M", "C", "h", "g", "kinetic_energy", "potential_energy"):
         np.testing.assert_allclose(found[name], metres[name], atol=1e-12)
     assert found["length_unit"] == "mm"
@@ -83,7 +78,7 @@ def test_a_slider_in_millimetres(client: httpx.Client) -> None:
         "rates": [1000],
         "accelerations": [1000],
     }
-    found = answered(client, body)
+    found = answered(client, PATH, body)
     assert found["M"] == [[2.0]]
     assert found["g"] == [pytest.approx(19.62)]
     assert found["torque"] == [pytest.approx(21.62)]
@@ -94,7 +89,7 @@ def test_a_slider_in_millimetres(client: httpx.Client) -> None:
 def test_closed_forms(client: httpx.Client) -> None:
     body = {name: value for name, value in ARM.items() if name not in ("joints", "parameters")}
     body |= {"form": "symbolic", "gravity": [0, "-g", 0], "notation": "short", "parts": ["M", "C", "h", "g"]}
-    found = answered(client, body)
+    found = answered(client, PATH, body)
     assert found["M"]["text"][0][1] == "m2*r2^2 + I2 + m2*L1*r2*c2"
     assert found["C"]["text"] == [
         ["-m2*L1*r2*dq2*s2", "-m2*L1*r2*dq1*s2 - m2*L1*r2*dq2*s2"],
@@ -110,8 +105,8 @@ def test_closed_forms(client: httpx.Client) -> None:
 def test_closed_forms_as_functions_give_the_numbers(client: httpx.Client) -> None:
     body = {**ARM, "form": "symbolic", "parameters": {}, "formats": ["python"], "parts": ["M", "C", "g"]}
     del body["joints"]
-    found = answered(client, body)
-    numbers = answered(client, {**ARM, "rates": [1, -2]})
+    found = answered(client, PATH, body)
+    numbers = answered(client, PATH, {**ARM, "rates": [1, -2]})
     values = [VALUES[name] for name in found["parameters"]]
     for part, name in (("M", "mass_matrix"), ("C", "coriolis_matrix"), ("g", "gravity_torque")):
         space: dict[str, Any] = {}
@@ -125,12 +120,12 @@ def test_values_are_put_in_exactly_and_lengths_in_metres(client: httpx.Client) -
     body = {**ARM, "form": "symbolic", "table": table("mm"), "formats": ["text"], "parts": ["g"]}
     body["parameters"] = {"m1": 2, "m2": 1, "r1": 200, "L1": 400, "r2": 150}
     del body["joints"]
-    assert answered(client, body)["g"]["text"][1] == ["1.4715*cos(q1 + q2)"]
+    assert answered(client, PATH, body)["g"]["text"][1] == ["1.4715*cos(q1 + q2)"]
 
 
 def test_the_puma_of_the_catalogue_in_closed_form(client: httpx.Client) -> None:
     found = answered(
-        client, {"form": "symbolic", "robot": "puma560", "formats": ["text"], "notation": "short"}
+        client, PATH, {"form": "symbolic", "robot": "puma560", "formats": ["text"], "notation": "short"}
     )
     assert found["parameters"] == ["a2", "a3", "d3", "d4"]
     assert found["M"]["text"][5][5] == "0.00004"
@@ -157,7 +152,7 @@ def test_what_does_not_move_has_no_equations_of_motion(client: httpx.Client, for
 def test_columns_are_numbered_by_their_rows_alone(client: httpx.Client) -> None:
     body = {**ARM, "form": "symbolic", "formats": ["entries"], "parts": ["M", "g"]}
     del body["joints"], body["parameters"]
-    found = answered(client, body)
+    found = answered(client, PATH, body)
     assert [line["name"] for line in found["g"]["entries"]][-2:] == ["g1", "g2"]
     assert [line["name"] for line in found["M"]["entries"]][-4:] == ["M11", "M12", "M21", "M22"]
 

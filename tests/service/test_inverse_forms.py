@@ -11,15 +11,13 @@ import pytest
 from service.schemas.kinematics.inverse_forms import SymbolicInverseRequest
 from service.settings import Settings
 from service.wire.kinematics.inverse_forms import inverse_form_task
+from tests.service.asking import answered
 
 URL = "/api/v1/inverse-kinematics"
 
 
-def asked(client: httpx.Client, **body: Any) -> dict[str, Any]:
-    response = client.post(URL, json={"form": "symbolic", **body})
-    assert response.status_code == 200, response.text
-    answer: dict[str, Any] = response.json()
-    return answer
+def asked(client: httpx.Client, **body: Any) -> Any:
+    return answered(client, URL, {"form": "symbolic", **body})
 
 
 def test_scara_as_books_print_it(client: httpx.Client) -> None:

@@ -14,21 +14,17 @@ from kinematics.table import JointType
 from service.wire.kinematics import inverse_solutions
 from service.work.workers import Lane, Workers
 from tests.examples import PUMA_560
+from tests.service.asking import answered
 
 URL = "/api/v1/inverse-kinematics"
 
 
-def asked(client: httpx.Client, **body: Any) -> dict[str, Any]:
-    response = client.post(URL, json=body)
-    assert response.status_code == 200, response.text
-    answer: dict[str, Any] = response.json()
-    return answer
+def asked(client: httpx.Client, **body: Any) -> Any:
+    return answered(client, URL, body)
 
 
 def forward(client: httpx.Client, **body: Any) -> np.ndarray:
-    response = client.post("/api/v1/forward-kinematics", json=body)
-    assert response.status_code == 200, response.text
-    return np.array(response.json()["transform"])
+    return np.array(answered(client, "/api/v1/forward-kinematics", body)["transform"])
 
 
 def test_puma_over_http(client: httpx.Client) -> None:

@@ -9,17 +9,15 @@ import pytest
 
 from kinematics.expressions import evaluate
 from tests.kinematics.printing.tree_reader import from_tree
+from tests.service.asking import answered
 
 URL = "/api/v1/scm/products"
 SHIFTS = {"c": "x", "b": "y", "a": "z"}
 """Along which axis a frame shifts and about which the same axis turns."""
 
 
-def asked(client: httpx.Client, **body: Any) -> dict[str, Any]:
-    response = client.post(URL, json=body)
-    assert response.status_code == 200, response.text
-    answer: dict[str, Any] = response.json()
-    return answer
+def asked(client: httpx.Client, **body: Any) -> Any:
+    return answered(client, URL, body)
 
 
 @pytest.mark.parametrize("turn", "abc")

@@ -7,6 +7,7 @@ import httpx
 import numpy as np
 import pytest
 
+from tests.service.asking import answered
 from tests.service.test_bad_input import check_problem
 
 PATH = "/api/v1/rates"
@@ -24,17 +25,11 @@ ARM: dict[str, Any] = {
 }
 
 
-def answered(client: httpx.Client, body: dict[str, Any]) -> Any:
-    response = client.post(PATH, json=body)
-    assert response.status_code == 200, response.text
-    return response.json()
-
-
 def test_two_links_by_hand(client: httpx.Client) -> None:
     """Tip at (0.4, 0.3); joint 1 turns at 1 rad/s: v = (-0.3, 0.4), centripetal (-0.4, -0.3)."""
     one = math.degrees(1.0)
     found = answered(
-        client, {**ARM, "rates": [one, 0], "accelerations": [0, 0], "wrench": [0, -10, 0, 0, 0, 0]}
+        client, PATH, {**ARM, "rates": [one, 0], "accelerations": [0, 0], "wrench": [0, -10, 0, 0, 0, 0]}
     )
     np.testing.assert_allclose(found["velocity"], [-0.3, 0.4, 0, 0, 0, 1], atol=1e-12)
     np.testing.assert_allclose(found["acceleration"], [-0.4, -0.3, 0, 0, 0, 0], atol=1e-12)
@@ -44,7 +39,7 @@ def test_two_links_by_hand(client: httpx.Client) -> None:
 
 def test_the_jacobian_is_that_of_its_own_call(client: httpx.Client) -> None:
     body = {"robot": "puma560", "joints": [10, 20, -30, 40, 50, 60]}
-    found = answered(client, body)
+    found = answered(client, PATH, body)
     own = client.post("/api/v1/jacobian", json=body).json()
     np.testing.assert_allclose(found["J0"], own["J0"], atol=1e-12)
     assert found["velocity"] is found["J0_rate"] is found["acceleration"] is found["joint_forces"] is None
@@ -57,7 +52,9 @@ def test_the_analytic_jacobian_of_any_angles_is_the_derivative(
 ) -> None:
     """Three turns, by the angles of the pose and by what they change, make the poses beside it."""
     q, moved, h = [10.0, 20.0, -30.0, 40.0, 50.0, 60.0], [3.0, -1.0, 2.0, 1.0, -2.0, 1.0], 1e-6
-    found = answered(client, {"robot": "puma560", "joints": q, "angles": {"axes": axes, "turning": turning}})
+    found = answered(
+        client, PATH, {"robot": "puma560", "joints": q, "angles": {"axes": axes, "turning": turning}}
+    )
     changed = np.array(found["analytic"]) @ np.radians(moved)
 
     def pose(step: float) -> Any:
@@ -105,7 +102,7 @@ def test_at_gimbal_lock_there_is_no_analytic_jacobian(client: httpx.Client) -> N
         "joints": [10],
         "tool": [[0, 0, 1, 0], [0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 0, 1]],
     }
-    assert answered(client, level)["analytic"] is None
+    assert answered(client, PATH, level)["analytic"] is None
 
 
 @pytest.mark.parametrize(

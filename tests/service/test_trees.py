@@ -7,6 +7,8 @@ import httpx
 import numpy as np
 import pytest
 
+from tests.service.asking import answered
+
 URL = "/api/v1/trees"
 ROWS: list[dict[str, Any]] = [
     {"after": 0, "alpha": 0, "a": 0, "d": "h", "theta": "q1"},
@@ -21,11 +23,8 @@ JOINTS = [10, 30, 0.4, -25, 50]
 BODY = {"tree": {"angle_unit": "deg", "rows": ROWS}, "parameters": VALUES, "joints": JOINTS}
 
 
-def asked(client: httpx.Client, **changes: Any) -> dict[str, Any]:
-    response = client.post(URL, json=BODY | changes)
-    assert response.status_code == 200, response.text
-    answer: dict[str, Any] = response.json()
-    return answer
+def asked(client: httpx.Client, **changes: Any) -> Any:
+    return answered(client, URL, BODY | changes)
 
 
 def turn(axis: str, degrees: float) -> np.ndarray:

@@ -10,6 +10,7 @@ import pytest
 from kinematics import catalogue
 from tests.examples import CYLINDRICAL, PUMA_560, TURNING_ARM
 from tests.kinematics.urdf.foreign import foreign_poses
+from tests.service.asking import answered
 from tests.service.test_bad_input import check_problem
 
 PATH = "/api/v1/convert"
@@ -24,12 +25,6 @@ SLIDE: dict[str, Any] = {
 FAR: dict[str, Any] = {**SLIDE, "rows": [*SLIDE["rows"], {"alpha": 0, "a": 1e13, "d": 0, "theta": "q2"}]}
 
 FAR_END = {"convention": "standard", "rows": [{"alpha": 0, "a": 1e13, "d": 0, "theta": "q1"}]}
-
-
-def answered(client: httpx.Client, path: str, body: dict[str, Any]) -> Any:
-    response = client.post(path, json=body)
-    assert response.status_code == 200, response.text
-    return response.json()
 
 
 @pytest.mark.parametrize("robot_id", catalogue.robot_ids())

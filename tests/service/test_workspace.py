@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from tests.examples import CYLINDRICAL, PUMA_560, TWO_LINKS
+from tests.service.asking import answered
 from tests.service.test_bad_input import check_problem
 
 PATH = "/api/v1/workspace"
@@ -15,16 +16,10 @@ LENGTHS = {"L1": 400, "L2": 120, "L3": 75}
 FAR = [[1, 0, 0, 1e300], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
 
 
-def answered(client: httpx.Client, body: dict[str, Any]) -> Any:
-    response = client.post(PATH, json=body)
-    assert response.status_code == 200, response.text
-    return response.json()
-
-
 def test_degrees_and_units(client: httpx.Client) -> None:
     table = {**TWO_LINKS, "angle_unit": "deg", "length_unit": "mm"}
     found = answered(
-        client, {"table": table, "parameters": {"L1": 400, "L2": 300}, "limits": [[0, 90], [90, 90]]}
+        client, PATH, {"table": table, "parameters": {"L1": 400, "L2": 300}, "limits": [[0, 90], [90, 90]]}
     )
     assert (found["angle_unit"], found["length_unit"]) == ("deg", "mm")
     assert found["inner_radius"] == pytest.approx({"axis": 500, "origin": 500})
@@ -36,7 +31,7 @@ def test_degrees_and_units(client: httpx.Client) -> None:
 
 
 def test_the_support_plane_with_the_hand_down(client: httpx.Client) -> None:
-    found = answered(client, {"robot": "dmra", "plane": {}, "axis": [0, 0, -1], "limits": [None] * 6})
+    found = answered(client, PATH, {"robot": "dmra", "plane": {}, "axis": [0, 0, -1], "limits": [None] * 6})
     assert found["outer_radius"]["axis"] == pytest.approx(
         45 + np.sqrt((115 + np.hypot(20, 130)) ** 2 - 25**2), abs=1e-7
     )
@@ -44,7 +39,7 @@ def test_the_support_plane_with_the_hand_down(client: httpx.Client) -> None:
     pose = np.array(client.post(FK, json={"robot": "dmra", "joints": joints}).json()["transform"])
     assert pose[2, 3] == pytest.approx(0.0, abs=1e-7)
     assert pose[2, 2] == pytest.approx(-1.0, abs=1e-9)
-    oriented = answered(client, {"robot": "puma560", "quaternion": [0, 1, 0, 0], "samples": 10})
+    oriented = answered(client, PATH, {"robot": "puma560", "quaternion": [0, 1, 0, 0], "samples": 10})
     assert 0 < len(oriented["points"]) <= 10
 
 
@@ -74,9 +69,9 @@ def test_conditions_that_cannot_be_met(
 
 def test_ranges_wider_than_a_turn_are_one_turn(client: httpx.Client) -> None:
     body = {"table": TWO_LINKS, "parameters": {"L1": 1, "L2": 1}}
-    free = answered(client, body)
+    free = answered(client, PATH, body)
     for limits in ([[-1e308, 1e308], [0, 1e308]], [[-100, 100], [-1e9, 7]]):
-        wide = answered(client, {**body, "limits": limits})
+        wide = answered(client, PATH, {**body, "limits": limits})
         assert wide["outer_radius"] == pytest.approx(free["outer_radius"])
         assert wide["inner_radius"] == pytest.approx(free["inner_radius"], abs=1e-12)
         assert all(
@@ -86,8 +81,8 @@ def test_ranges_wider_than_a_turn_are_one_turn(client: httpx.Client) -> None:
 
 
 def test_the_catalogue_knows_its_limits(client: httpx.Client) -> None:
-    own = answered(client, {"robot": "scara", "samples": 20})
-    free = answered(client, {"robot": "scara", "limits": [None, None, [-0.2, 0], None]})
+    own = answered(client, PATH, {"robot": "scara", "samples": 20})
+    free = answered(client, PATH, {"robot": "scara", "limits": [None, None, [-0.2, 0], None]})
     assert own["inner_radius"]["axis"] > 0.2
     assert free["inner_radius"]["axis"] == pytest.approx(0.1)
     assert len(own["points"]) == 20
@@ -96,7 +91,7 @@ def test_the_catalogue_knows_its_limits(client: httpx.Client) -> None:
 
 
 def test_a_radius_can_be_checked(client: httpx.Client) -> None:
-    found = answered(client, {"robot": "puma560"})
+    found = answered(client, PATH, {"robot": "puma560"})
     joints = found["reached"]["outer_radius"]["origin"]
     there = client.post(FK, json={"robot": "puma560", "joints": joints}).json()["position"]
     assert np.linalg.norm(there) == pytest.approx(found["outer_radius"]["origin"], abs=1e-12)

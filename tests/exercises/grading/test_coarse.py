@@ -4,8 +4,9 @@ from typing import Any
 
 import pytest
 
-from exercises.grading import BaseRule, DirectionRule, HelpLevel, Policy, ToolRule, Verdict, ZeroRule, grade
+from exercises.grading import BaseRule, DirectionRule, HelpLevel, Policy, ToolRule, ZeroRule, grade
 from kinematics.cells import ReadTable
+from tests.exercises.grading.told import codes
 from tests.exercises.grading.written import Cell, read
 
 Lengths = tuple[Cell, Cell, Cell, Cell]
@@ -43,10 +44,6 @@ def _craig(lengths: Lengths) -> ReadTable:
     return read("modified", rows, "deg")
 
 
-def _codes(verdict: Verdict) -> list[str]:
-    return [entry.code for entry in verdict.feedback]
-
-
 @pytest.mark.parametrize(
     "lengths",
     [
@@ -60,7 +57,7 @@ def _codes(verdict: Verdict) -> list[str]:
 def test_a_length_of_too_few_digits_is_said_to_be_that(lengths: Lengths, policy: Policy) -> None:
     verdict = grade(_puma(NAMES), _puma(lengths), policy, VALUES)
     assert not verdict.correct
-    assert _codes(verdict) == ["not_accepted", "entries_imprecise"]
+    assert codes(verdict) == ["not_accepted", "entries_imprecise"]
     assert verdict.repairs == ()
 
 
@@ -79,7 +76,7 @@ def test_too_few_digits_cost_less_than_a_wrong_length(make: Any, policy: Policy)
 
 def test_in_other_frames_too() -> None:
     verdict = grade(_puma(NAMES), _craig((0.4, 0.02, 0.2, 0.4)), FREE, VALUES)
-    assert _codes(verdict) == ["not_accepted", "entries_imprecise"]
+    assert codes(verdict) == ["not_accepted", "entries_imprecise"]
 
 
 @pytest.mark.parametrize(
@@ -97,7 +94,7 @@ def test_in_other_frames_too() -> None:
     ],
 )
 def test_what_the_digits_do_not_explain_is_wrong(answer: ReadTable, policy: Policy) -> None:
-    assert "entries_imprecise" not in _codes(grade(_puma(NAMES), answer, policy, VALUES))
+    assert "entries_imprecise" not in codes(grade(_puma(NAMES), answer, policy, VALUES))
 
 
 @pytest.mark.parametrize(("typed", "length"), [(1, 0.8), (1, 1.4), (0.1, 0.08)])
@@ -106,7 +103,7 @@ def test_a_lone_one_is_no_rounded_length(typed: Cell, length: Cell) -> None:
     key, answer = (read("standard", [(0, a, 0, "q1"), (0, 0.537, 0, "q2")]) for a in (length, typed))
     verdict = grade(key, answer, FREE)
     assert [(edit.code, edit.row) for edit in verdict.repairs[0].edits] == [("a_value", 1)]
-    assert "entries_imprecise" not in _codes(verdict)
+    assert "entries_imprecise" not in codes(verdict)
 
 
 @pytest.mark.parametrize("also_wrong", [0.15005, 0.4])
@@ -127,7 +124,7 @@ def test_too_few_digits_are_told_first_and_only_the_rest_is_accused(
 ) -> None:
     """All four lengths were called wrong where one of them, or a twist, was wrong besides."""
     verdict = grade(_puma(NAMES), _puma((0.4, a3, 0.2, 0.4), twist), FREE, VALUES, help_level=help_level)
-    assert _codes(verdict)[:2] == ["not_equivalent", "lengths_rounded"]
+    assert codes(verdict)[:2] == ["not_equivalent", "lengths_rounded"]
     told = {entry.row for entry in verdict.feedback if entry.row is not None}
     assert 3 in told <= rows
     assert verdict.repairs == ()
@@ -139,7 +136,7 @@ def test_too_few_digits_cost_beside_a_wrong_length_what_a_wrong_sign_does() -> N
         for lengths in ((0.4318, 0, 0.15005, 0.4318), (0.4, 0, 0.2, 0.4))
     )
     assert exact - rounded == pytest.approx(0.5 / 9, abs=0.01)
-    assert "lengths_rounded" not in _codes(
+    assert "lengths_rounded" not in codes(
         grade(_puma(NAMES), _puma((0.4, 0, 0.2, 0.4)), FREE, VALUES, help_level=HelpLevel.VERDICT)
     )
 

@@ -6,6 +6,7 @@ import pytest
 
 from exercises.grading import Policy, ToolRule, Verdict, grade
 from kinematics.table import DHTable, NumericTable
+from tests.exercises.grading.told import repairs
 from tests.exercises.grading.written import Cell, read, written
 from tests.kinematics.equivalence.campaign import catalogue
 
@@ -24,10 +25,6 @@ def graded(*cells: tuple[int, str, float]) -> Verdict:
     )
 
 
-def told(verdict: Verdict) -> list[list[tuple[str, int | None]]]:
-    return [[(edit.code, edit.row) for edit in repair.edits] for repair in verdict.repairs]
-
-
 def test_a_length_in_millimetres_between_parallel_axes_is_told_once() -> None:
     """Offsets along the axes do not blur their distance."""
     row = next(i for i, row in enumerate(KEY.rows) if row.a > 0.4)
@@ -35,14 +32,14 @@ def test_a_length_in_millimetres_between_parallel_axes_is_told_once() -> None:
     verdict = graded(
         (row, "a", 1000.0 * KEY.rows[row].a), (row, "d", d + 1.7), (row + 1, "d", KEY.rows[row + 1].d - 1.7)
     )
-    assert told(verdict) == [[("cell_length_unit", row + 1)]]
+    assert repairs(verdict) == [[("cell_length_unit", row + 1)]]
 
 
 @pytest.mark.parametrize("size", [1.0, 141.0, 5000.0])
 def test_a_length_that_should_be_zero_is_zero_however_long_it_is(size: float) -> None:
     long = next(i for i, row in enumerate(KEY.rows) if row.a > 0.4)
     verdict = graded((long, "a", 1000.0 * KEY.rows[long].a), (4, "a", size))
-    assert [("cell_length_unit", long + 1), ("a_not_zero", 5)] in told(verdict)
+    assert [("cell_length_unit", long + 1), ("a_not_zero", 5)] in repairs(verdict)
 
 
 @pytest.mark.parametrize("typed", [3217.0, 41234.0])

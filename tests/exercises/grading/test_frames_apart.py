@@ -8,6 +8,7 @@ from exercises.grading import Policy, ToolRule, grade
 from exercises.grading.judging.frames import _apart, _Noticed
 from kinematics.se3 import Motion, compose, rotation_about, translation
 from tests.exercises.grading.test_grade import KEY, PUMA, PUMA_CRAIG, with_cells
+from tests.exercises.grading.told import codes
 from tests.exercises.grading.written import Cell, read
 
 NOTICED = _Noticed(angle=0.01, length=0.5)
@@ -149,4 +150,4 @@ def test_frames_between_joints_move_with_the_joint_before_them() -> None:
     ]
     answer = read("standard", with_cells(rows, (3, 3, "q2 + pi/2")))
     verdict = grade(read("standard", rows), answer, Policy(tool=ToolRule.FRAME))
-    assert [entry.code for entry in verdict.feedback] == ["same_frames", "variable_offset"]
+    assert codes(verdict) == ["same_frames", "variable_offset"]

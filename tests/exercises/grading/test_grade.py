@@ -17,12 +17,12 @@ from exercises.grading import (
     Policy,
     Tolerance,
     ToolRule,
-    Verdict,
     ZeroRule,
     grade,
 )
 from kinematics.cells import LengthUnit
 from kinematics.errors import CellError, ParameterError, TableError
+from tests.exercises.grading.told import codes
 from tests.exercises.grading.written import Cell, read
 
 Rows = list[tuple[Cell, Cell, Cell, Cell]]
@@ -85,10 +85,6 @@ def with_cells(rows: Rows, *changes: tuple[int, int, Cell]) -> Rows:
     for row, column, value in changes:
         changed[row - 1][column] = value
     return [tuple(row) for row in changed]  # type: ignore[misc]
-
-
-def codes(verdict: Verdict) -> list[str]:
-    return [entry.code for entry in verdict.feedback]
 
 
 def numbers(rows: Rows, decimals: int = 9) -> Rows:

@@ -3,6 +3,7 @@
 import pytest
 
 from exercises.grading import BaseRule, HelpLevel, Policy, ToolRule, Verdict, ZeroRule, grade
+from tests.exercises.grading.told import codes, repairs
 from tests.exercises.grading.written import Cell, read
 
 Rows = list[tuple[Cell, Cell, Cell, Cell]]
@@ -23,10 +24,6 @@ def _told(key: Rows, *wrong: tuple[int, str, Cell], policy: Policy = AXIS, modif
     return grade(*tables, policy, help_level=HelpLevel.REPAIR)
 
 
-def _edits(verdict: Verdict) -> list[list[tuple[str, int | None]]]:
-    return [[(edit.code, edit.row) for edit in repair.edits] for repair in verdict.repairs]
-
-
 @pytest.mark.parametrize(
     ("key", "wrong", "code"),
     [
@@ -43,26 +40,26 @@ def test_the_length_before_the_line_of_the_tool_is_told(
 ) -> None:
     verdict = _told(key, wrong)
     assert not verdict.correct
-    assert _edits(verdict)[0] == [(code, wrong[0])]
+    assert repairs(verdict)[0] == [(code, wrong[0])]
 
 
 def test_of_offsets_along_parallel_axes_before_the_line_none_is_told_alone() -> None:
     verdict = _told(ELBOW, (3, "d", 0))
-    assert "one_of_these" in [entry.code for entry in verdict.feedback]
+    assert "one_of_these" in codes(verdict)
     assert {entry.row for entry in verdict.feedback if entry.row} == {2, 3}
 
 
 def test_beside_another_mistake_the_length_before_the_line_is_told() -> None:
     """Not that z of the last frame should stand on the last joint's axis."""
     verdict = _told(PLANAR, (1, "a", 0.45), (2, "a", 0.25))
-    assert _edits(verdict) == [[("a_value", 1), ("a_value", 2)]]
+    assert repairs(verdict) == [[("a_value", 1), ("a_value", 2)]]
 
 
 def test_the_twist_behind_the_line_of_the_base_is_no_more_likely_than_the_offset() -> None:
     """Axes 1 and 2 are parallel: one d or the other takes the robot off the key's line of the base."""
     key: Rows = [(90, 0.12, 0.6, "q1"), (0, 0.4, 0.52, "q2"), (90, 0.2, 0.3, "q3")]
     verdict = _told(key, (2, "d", 0.4), policy=Policy(base=BaseRule.AXIS, tool=ToolRule.FREE), modified=True)
-    assert {("d_value", 1), ("d_value", 2)} <= {edit for repair in _edits(verdict) for edit in repair}
+    assert {("d_value", 1), ("d_value", 2)} <= {edit for repair in repairs(verdict) for edit in repair}
     assert {entry.row for entry in verdict.feedback if entry.row} == {1, 2}
 
 
@@ -71,7 +68,7 @@ def test_digits_that_would_explain_the_line_leave_the_length_before_it_to_be_tol
     """With -0.5, typed to one decimal, the line might be anywhere there; the poses say that it is not."""
     key: Rows = [(90, 0, 0.56, "q1"), (-90, 0.4273, 0, "q2"), (-90, -0.5, "q3", 30)]
     verdict = _told(key, (2, "a", off))
-    assert ("a_value", 2) in {edit for repair in _edits(verdict) for edit in repair}
+    assert ("a_value", 2) in {edit for repair in repairs(verdict) for edit in repair}
     assert 2 in {entry.row for entry in verdict.feedback}
 
 
@@ -79,5 +76,5 @@ def test_a_slider_whose_zero_takes_the_line_of_the_tool_along_is_told() -> None:
     """Joint 3 slides along the axis of joint 4, from which the key's last z stands off at right angles."""
     key: Rows = [(-90, 0.4, 0.2, "q1"), (90, 0.3, 0.1, "q2"), (0, 0, "q3", 0), (90, 0, 0, "q4")]
     verdict = _told(key, (3, "d", "q3+0.15"), policy=Policy(tool=ToolRule.AXIS, zero=ZeroRule.FIGURE))
-    assert ("d_offset", 3) in {edit for repair in _edits(verdict) for edit in repair}
+    assert ("d_offset", 3) in {edit for repair in repairs(verdict) for edit in repair}
     assert 3 in {entry.row for entry in verdict.feedback}

@@ -13,6 +13,7 @@ from kinematics.conversion import convert
 from kinematics.table import Convention, DHTable, NumericRow, NumericTable
 from tests.exercises.grading.campaign import drawn_by_hand
 from tests.exercises.grading.test_grade import Rows, with_cells
+from tests.exercises.grading.told import codes, repairs
 from tests.exercises.grading.written import read, written
 from tests.kinematics.equivalence.campaign import catalogue
 from tests.kinematics.equivalence.tables import HALF, PUMA, F, P, R, changed, standard
@@ -78,20 +79,16 @@ def test_the_supplement_of_a_twist_is_mended_in_its_cell(base: BaseRule, tool: T
     verdict = told(SKEW, {(row, "alpha"): supplement}, Policy(base=base, tool=tool))
     assert not verdict.correct
     assert {place for _, place in accused(verdict)} - {None} == {row}
-    assert edits(verdict)[0] == [("alpha_value", row)]
-    assert {place for repair in edits(verdict) for _, place in repair} == {row}
+    assert repairs(verdict)[0] == [("alpha_value", row)]
+    assert {place for repair in repairs(verdict) for _, place in repair} == {row}
 
 
 @pytest.mark.parametrize("policy", [FRAMES, STRICT], ids=["frames", "strict"])
 @pytest.mark.parametrize("row", range(1, 6))
 def test_a_sign_that_is_wrong_is_one_change_and_not_two(policy: Policy, row: int) -> None:
     verdict = told(SKEW, {(row, "alpha"): -SKEW.rows[row - 1].alpha}, policy)
-    assert [("alpha_sign", row)] in edits(verdict)
-    assert [("alpha_value", row)] not in edits(verdict)
-
-
-def edits(verdict: Verdict) -> list[list[tuple[str, int | None]]]:
-    return [[(edit.code, edit.row) for edit in one.edits] for one in verdict.repairs]
+    assert [("alpha_sign", row)] in repairs(verdict)
+    assert [("alpha_value", row)] not in repairs(verdict)
 
 
 @pytest.mark.parametrize("policy", [Policy(tool=ToolRule.POINT), FRAMES], ids=["point", "frames"])
@@ -271,7 +268,7 @@ def test_twists_that_alone_stand_in_the_next_row_are_told_as_that() -> None:
     twists = [row.alpha for row in PUMA.rows]
     verdict = grade(written(PUMA), written(with_twists(PUMA, [0.0, *twists[:-1]])), FREE)
     assert [edit.code for edit in verdict.repairs[0].edits] == ["twists_late"]
-    assert [entry.code for entry in verdict.feedback] == ["not_equivalent", "twists_out_of_place"]
+    assert codes(verdict) == ["not_equivalent", "twists_out_of_place"]
     assert verdict.score == round(1 - 3 / 9, 2)
     once_more = grade(written(PUMA), written(changed(with_twists(PUMA, [0.0, *twists[:-1]]), 2, a=0.7)), FREE)
     assert once_more.score == round(1 - 4 / 9, 2)

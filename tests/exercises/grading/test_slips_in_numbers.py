@@ -5,20 +5,17 @@ from itertools import combinations
 
 import pytest
 
-from exercises.grading import Policy, ToolRule, Verdict, explanation, grade
+from exercises.grading import Policy, ToolRule, explanation, grade
 from exercises.grading.edits.repairs import Repaired, find_repairs
 from exercises.grading.edits.work import Work
 from exercises.grading.judging.name_values import FREE_ATTEMPTS, Values, drawn_value
 from exercises.grading.judging.typed import meant_in_radians
 from kinematics.cells.binding import ParameterKind
 from tests.exercises.grading.test_grade import KEY, PUMA, PUMA_CRAIG, USUAL, VALUES, Rows, numbers, with_cells
+from tests.exercises.grading.told import codes, repairs
 from tests.exercises.grading.written import Cell, read
 
 RAD = math.pi / 180
-
-
-def repairs(verdict: Verdict) -> list[list[tuple[str, int | None]]]:
-    return [[(edit.code, edit.row) for edit in repair.edits] for repair in verdict.repairs]
 
 
 @pytest.mark.parametrize("power", [10, 100, 1000])
@@ -106,7 +103,7 @@ def test_the_other_convention_with_values_for_some_names(names: tuple[str, ...])
     verdict = grade(KEY, read("standard", rows), USUAL, VALUES)
     assert repairs(verdict)[0] == [("convention", None)]
     assert verdict.score == 0.67
-    assert "length_wrong" not in [entry.code for entry in verdict.feedback]
+    assert "length_wrong" not in codes(verdict)
 
 
 def in_degrees(rows: Rows) -> Rows:
@@ -151,7 +148,7 @@ def test_a_unit_throughout_is_told_in_names_and_beside_wrong_joints_too(
 ) -> None:
     """Of these nothing was told but that the joints are wrong, or all twists and lengths were accused."""
     verdict = grade(KEY, read("standard", rows), USUAL, VALUES)
-    assert hint in [entry.code for entry in verdict.feedback]
+    assert hint in codes(verdict)
     assert {entry.row for entry in verdict.feedback if entry.row} == wrong
 
 
@@ -178,6 +175,6 @@ def test_what_is_wrong_beside_a_unit_is_searched_by_the_work_that_is_left(
     monkeypatch.setattr(explanation, "MOST_WORK", 1500)
     rows = in_degrees(with_cells(THREE_WRONG, (5, 2, "d4")))
     verdict = grade(KEY, read("standard", rows), USUAL, VALUES)
-    assert "angles_throughout" in [entry.code for entry in verdict.feedback]
+    assert "angles_throughout" in codes(verdict)
     assert granted == [1500, left[0]]
     assert left[0] < 750

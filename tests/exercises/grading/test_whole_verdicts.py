@@ -17,6 +17,7 @@ from exercises.grading import (
 )
 from kinematics.cells import ReadTable
 from tests.exercises.grading.test_grade import KEY, PUMA, PUMA_CRAIG, USUAL, VALUES, with_cells
+from tests.exercises.grading.told import repairs
 from tests.exercises.grading.written import Cell, read
 
 Rows = list[tuple[Cell, Cell, Cell, Cell]]
@@ -30,10 +31,6 @@ FIXED = Policy(base=BaseRule.FRAME, tool=ToolRule.FRAME, zero=ZeroRule.FIGURE, d
 
 def feedback(verdict: Verdict) -> Told:
     return [(entry.code, entry.row) for entry in verdict.feedback]
-
-
-def repairs(verdict: Verdict) -> list[Told]:
-    return [[(edit.code, edit.row) for edit in repair.edits] for repair in verdict.repairs]
 
 
 ANSWERS: dict[str, tuple[ReadTable, ReadTable, Policy, Told, list[Told], float]] = {

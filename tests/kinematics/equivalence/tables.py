@@ -27,6 +27,12 @@ def modified(*rows: Row) -> NumericTable:
     return table(Convention.MODIFIED, *rows)
 
 
+def scaled(table: NumericTable, factor: float) -> NumericTable:
+    """A table in another unit of length."""
+    rows = tuple(replace(row, a=row.a * factor, d=row.d * factor) for row in table.rows)
+    return DHTable(convention=table.convention, rows=rows)
+
+
 A2, A3, D3, D4 = 0.4318, 0.0203, 0.15005, 0.4318
 
 # DESIGN section 8; P. Corke, Robotics, Vision and Control, 2nd ed., table 7.1

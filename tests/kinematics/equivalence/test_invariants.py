@@ -1,7 +1,6 @@
 """What no choice of frames changes: the same strains in every unit, angles about sliders, and what is off."""
 
 import math
-from dataclasses import replace
 from random import Random
 
 import numpy as np
@@ -16,9 +15,9 @@ from kinematics.equivalence.invariants import FLOOR, SLACK, axes_of, invariants_
 from kinematics.equivalence.measures import Measure, Shape, measured
 from kinematics.equivalence.reference import prepared
 from kinematics.se3 import Vector
-from kinematics.table import DHTable, NumericTable
+from kinematics.table import NumericTable
 from tests.kinematics.equivalence.generators import random_valid_table
-from tests.kinematics.equivalence.tables import HALF, F, P, R, changed, modified, standard
+from tests.kinematics.equivalence.tables import HALF, F, P, R, changed, modified, scaled, standard
 
 FREE = Policy(tool=ToolRule.FREE)
 FIXED = Policy(base=BaseRule.FRAME, tool=ToolRule.FRAME, zero=ZeroRule.FIGURE)
@@ -33,11 +32,6 @@ COLUMN = standard(
     (R, HALF, 0.3, 0.15, 0.2),
     (R, 0.6, 0.1, 0.2, 0.1),
 )
-
-
-def scaled(table: NumericTable, factor: float) -> NumericTable:
-    rows = tuple(replace(row, a=row.a * factor, d=row.d * factor) for row in table.rows)
-    return DHTable(convention=table.convention, rows=rows)
 
 
 def strains(key: NumericTable, table: NumericTable, policy: Policy) -> list[float]:

@@ -20,9 +20,8 @@ from kinematics.equivalence.refinement import (
     RefinementProblem,
 )
 from kinematics.equivalence.verification import Residual
-from kinematics.table import DHTable, NumericTable
 from tests.kinematics.equivalence.generators import random_robot, random_valid_table, rounded
-from tests.kinematics.equivalence.tables import HALF, P, R, standard
+from tests.kinematics.equivalence.tables import HALF, P, R, scaled, standard
 
 
 def model(errors: np.ndarray, jacobian: np.ndarray) -> Model:
@@ -95,11 +94,6 @@ def test_a_mirrored_table_is_the_mirrored_robot(seed: int) -> None:
     mirror = np.diag((1.0, 1.0, -1.0, 1.0))
     expected = mirror @ chain_of_table(key).poses(joints) @ mirror
     assert chain_of_table(mirrored(key)).poses(joints) == pytest.approx(expected, abs=1e-12)
-
-
-def scaled(table: NumericTable, factor: float) -> NumericTable:
-    rows = tuple(replace(row, a=row.a * factor, d=row.d * factor) for row in table.rows)
-    return DHTable(convention=table.convention, rows=rows)
 
 
 @pytest.mark.parametrize("seed", range(12))

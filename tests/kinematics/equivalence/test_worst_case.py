@@ -18,16 +18,11 @@ from kinematics.table import DHTable, NumericTable
 from tests.kinematics.equivalence.campaign import MARGIN, catalogue, size_beside, wrong_tables
 from tests.kinematics.equivalence.evaluation import evaluated
 from tests.kinematics.equivalence.generators import random_robot, random_valid_table, rounded
-from tests.kinematics.equivalence.tables import HALF, PUMA, P, R, changed, standard
+from tests.kinematics.equivalence.tables import HALF, PUMA, P, R, changed, scaled, standard
 
 FREE = Policy(tool=ToolRule.FREE)
 STRICT = Policy(tool=ToolRule.FREE, tolerance=Tolerance(length=0.001, angle=0.001))
 WIDE = Policy(tool=ToolRule.FREE, tolerance=Tolerance(length=0.05, angle=0.05))
-
-
-def scaled(table: NumericTable, factor: float) -> NumericTable:
-    rows = tuple(replace(row, a=row.a * factor, d=row.d * factor) for row in table.rows)
-    return DHTable(convention=table.convention, rows=rows)
 
 
 @pytest.mark.parametrize("seed", range(30))
