@@ -126,7 +126,8 @@ class MovingRobot:
         V = np.cumsum(S * speeds[..., None], axis=-2)
         rate = _motion_cross(V, S)
         momenta = _momentum_crosses(_applied(G, V))
-        B = _beyond(0.5 * (_force_crosses(V) @ G + momenta - G @ _motion_crosses(V)), -3)
+        crosses = _motion_crosses(V)  # of forces, V ×*, it is the adjoint with its sign changed
+        B = _beyond(0.5 * (momenta - np.swapaxes(crosses, -1, -2) @ G - G @ crosses), -3)
         G = here.composites
         upper = np.triu(S @ np.swapaxes(_applied(G, rate) + _applied(B, S), -1, -2))
         columns = _applied(G, S) @ np.swapaxes(rate, -1, -2)
@@ -265,11 +266,6 @@ def _motion_crosses(V: Floats) -> Floats:
     """Return the matrices of V' ↦ V × V'."""
     v, w = _crosses(V[..., :3]), _crosses(V[..., 3:])
     return _blocks(w, v, np.zeros_like(w), w)
-
-
-def _force_crosses(V: Floats) -> Floats:
-    """Return the matrices of F ↦ V ×* F: what is adjoint to V × V', with the sign changed."""
-    return -np.swapaxes(_motion_crosses(V), -1, -2)
 
 
 def _momentum_crosses(F: Floats) -> Floats:

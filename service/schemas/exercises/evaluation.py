@@ -8,10 +8,11 @@ from enum import StrEnum
 from typing import Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
+from pydantic.alias_generators import to_camel
 
 
 class _Lenient(BaseModel):
-    model_config = ConfigDict(extra="ignore", frozen=True, populate_by_name=True)
+    model_config = ConfigDict(extra="ignore", frozen=True, populate_by_name=True, alias_generator=to_camel)
 
 
 class SubmissionType(StrEnum):
@@ -32,16 +33,16 @@ class Submission(_Lenient):
         description="a DH table (`convention`, `rows`) or an answer with the parts of an exercise"
     )
     format: str | None = Field(None, description="dh_table, or exercise_answer")
-    submission_id: str | None = Field(None, alias="submissionId")
-    task_id: str | None = Field(None, alias="taskId")
+    submission_id: str | None = None
+    task_id: str | None = None
 
 
 class EvaluationTask(_Lenient):
     """What the learner was asked."""
 
-    task_id: str | None = Field(None, alias="taskId", description="id of an exercise of this service")
+    task_id: str | None = Field(None, description="id of an exercise of this service")
     reference_solution: dict[str, Any] | None = Field(
-        None, alias="referenceSolution", description="a DH table to judge by, instead of an exercise"
+        None, description="a DH table to judge by, instead of an exercise"
     )
     metadata: dict[str, Any] | None = Field(None, description="`exercise` and `seed`")
 
@@ -57,10 +58,8 @@ class Learner(_Lenient):
     """Whom the feedback is for; nothing of it is kept."""
 
     preference: Preference | None = None
-    detail_preference: str | None = Field(None, alias="detailPreference", description="preference.detail")
-    language_preference: str | None = Field(
-        None, alias="languagePreference", description="preference.language"
-    )
+    detail_preference: str | None = Field(None, description="preference.detail")
+    language_preference: str | None = Field(None, description="preference.language")
 
     @property
     def detail(self) -> str | None:
@@ -85,8 +84,8 @@ class EvaluateRequest(_Lenient):
     submission: Submission
     task: EvaluationTask | None = None
     user: Learner | None = None
-    pre_submission_feedback: Enabled | None = Field(None, alias="preSubmissionFeedback")
-    callback_url: str | None = Field(None, alias="callbackUrl", max_length=2000)
+    pre_submission_feedback: Enabled | None = None
+    callback_url: str | None = Field(None, max_length=2000)
     configuration: dict[str, Any] | None = None
 
 
@@ -103,7 +102,7 @@ class FunctionCall(BaseModel):
 class FeedbackTarget(_Lenient):
     """The place that feedback speaks of."""
 
-    artefact_type: SubmissionType = Field(alias="artefactType")
+    artefact_type: SubmissionType
     format: str
     locator: dict[str, Any]
 
@@ -111,11 +110,11 @@ class FeedbackTarget(_Lenient):
 class EvaluationFeedback(_Lenient):
     """One thing to tell the learner."""
 
-    feedback_id: str = Field(alias="feedbackId")
+    feedback_id: str
     title: str
     message: str
-    suggested_action: str | None = Field(None, alias="suggestedAction")
-    awarded_points: float | None = Field(None, alias="awardedPoints")
+    suggested_action: str | None = None
+    awarded_points: float | None = None
     target: FeedbackTarget | None = None
 
 
@@ -123,7 +122,7 @@ class EvaluationAccepted(_Lenient):
     """The feedback is going to be sent to the callback."""
 
     status: Literal["ACCEPTED"]
-    request_id: str = Field(alias="requestId")
+    request_id: str
 
 
 class EvaluationError(_Lenient):
@@ -140,22 +139,22 @@ class ArtefactProfile(_Lenient):
     """What can be evaluated."""
 
     type: SubmissionType
-    supported_formats: list[str] = Field(alias="supportedFormats")
-    content_schema: dict[str, Any] = Field(alias="contentSchema")
-    locator_schema: dict[str, Any] = Field(alias="locatorSchema")
+    supported_formats: list[str]
+    content_schema: dict[str, Any]
+    locator_schema: dict[str, Any]
 
 
 class Capabilities(_Lenient):
     """What this service does of µEd."""
 
-    supports_evaluate: bool = Field(alias="supportsEvaluate")
-    supports_pre_submission_feedback: bool = Field(alias="supportsPreSubmissionFeedback")
-    supports_formative_feedback: bool = Field(alias="supportsFormativeFeedback")
-    supports_summative_feedback: bool = Field(alias="supportsSummativeFeedback")
-    supports_data_policy: str = Field(alias="supportsDataPolicy")
-    supported_artefact_profiles: list[ArtefactProfile] = Field(alias="supportedArtefactProfiles")
-    supported_languages: list[str] = Field(alias="supportedLanguages")
-    supported_versions: list[str] = Field(alias="supportedVersions")
+    supports_evaluate: bool
+    supports_pre_submission_feedback: bool
+    supports_formative_feedback: bool
+    supports_summative_feedback: bool
+    supports_data_policy: str
+    supported_artefact_profiles: list[ArtefactProfile]
+    supported_languages: list[str]
+    supported_versions: list[str]
 
 
 class EvaluationHealth(_Lenient):
