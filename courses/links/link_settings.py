@@ -2,7 +2,7 @@
 
 import hashlib
 import json
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from datetime import UTC, datetime
 from typing import Any, TypeVar
 
@@ -123,68 +123,47 @@ class _SettingsReader:
 
     def whole(self, name: str, otherwise: int | None, least: int, most: int) -> int | None:
         """Return a whole number, or what it is otherwise."""
-        value = self.values.get(name)
-        if value is None:
-            return otherwise
-        if type(value) is int and least <= value <= most:
-            return value
-        self.refuse(name, f"{least} … {most}")
-        return otherwise
+        found: int | None = self._found(
+            name, lambda value: type(value) is int and least <= value <= most, f"{least} … {most}", otherwise
+        )
+        return found
 
     def number(self, name: str, otherwise: float, least: float, most: float) -> float:
         """Return a number."""
-        value = self.values.get(name)
-        if value is None:
-            return otherwise
-        if type(value) in (int, float) and least <= value <= most:
-            return float(value)
-        self.refuse(name, f"{least:g} … {most:g}")
-        return otherwise
+        known = f"{least:g} … {most:g}"
+        return float(
+            self._found(
+                name, lambda value: type(value) in (int, float) and least <= value <= most, known, otherwise
+            )
+        )
 
     def text(self, name: str) -> str | None:
         """Return a short text."""
-        value = self.values.get(name)
-        if value is None or (isinstance(value, str) and len(value) <= 64):
-            return value or None
-        self.refuse(name, "≤ 64")
-        return None
+        return self._found(name, lambda value: isinstance(value, str) and len(value) <= 64, "≤ 64") or None
 
     def texts(self, name: str) -> tuple[str, ...]:
         """Return a list of texts."""
-        value = self.values.get(name) or []
-        if isinstance(value, list) and all(isinstance(each, str) for each in value):
-            return tuple(dict.fromkeys(value))
-        self.refuse(name, "[…]")
-        return ()
+        found = self._found(
+            name,
+            lambda value: not value or (isinstance(value, list) and all(isinstance(v, str) for v in value)),
+            "[…]",
+        )
+        return tuple(dict.fromkeys(found or ()))
 
     def whether(self, name: str) -> bool:
         """Return yes or no."""
-        value = self.values.get(name)
-        if value is None or isinstance(value, bool):
-            return bool(value)
-        self.refuse(name, "false, true")
-        return False
+        return bool(self._found(name, lambda value: isinstance(value, bool), "false, true"))
 
     def help_level(self, name: str) -> str | None:
         """Return the most help given; None for what the exercise gives."""
-        value = self.values.get(name)
-        if not value:
-            return None
-        if isinstance(value, str) and value in set(HelpLevel):
-            return value
-        self.refuse(name, ", ".join(HelpLevel))
-        return None
+        known = list(HelpLevel)
+        return self._found(name, lambda value: not value or value in known, ", ".join(known)) or None
 
     def choice(self, name: str, otherwise: Choice) -> Choice:
         """Return one of the values of an enumeration."""
-        value = self.values.get(name)
-        if value is None:
-            return otherwise
         kind = type(otherwise)
-        if isinstance(value, str) and value in {item.value for item in kind}:
-            return kind(value)
-        self.refuse(name, ", ".join(item.value for item in kind))
-        return otherwise
+        known = [item.value for item in kind]
+        return kind(self._found(name, lambda value: value in known, ", ".join(known), otherwise))
 
     def instant(self, name: str) -> datetime | None:
         """Return a time with its zone (RFC 3339)."""
@@ -199,3 +178,11 @@ class _SettingsReader:
             pass
         self.refuse(name, "2027-01-31T12:00:00+00:00")
         return None
+
+    def _found(self, name: str, fits: Callable[[Any], bool], known: str, otherwise: Any = None) -> Any:
+        """The value, if it fits; what it is otherwise where it is left out, or refused."""
+        value = self.values.get(name)
+        if value is None or fits(value):
+            return otherwise if value is None else value
+        self.refuse(name, known)
+        return otherwise
