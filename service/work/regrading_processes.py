@@ -61,16 +61,11 @@ class RegradingProcesses:
         return [replace(found[key], attempt_id=attempt.id) for key, attempt in zip(keys, batch, strict=True)]
 
     def _judged(self, attempts: Sequence[Attempt]) -> list[Rejudged]:
-        if len(attempts) <= FEW or not all(self._in_a_folder(attempt.exercise_id) for attempt in attempts):
+        files = self._grader.library.files
+        if len(attempts) <= FEW or any(files(attempt.exercise_id) is None for attempt in attempts):
             return self._grader.rejudge(attempts, self._asked)
         chunks = [attempts[i : i + CHUNK] for i in range(0, len(attempts), CHUNK)]
         return [item for found in self._started().map(self._elsewhere, chunks) for item in found]
-
-    def _in_a_folder(self, exercise_id: str) -> bool:
-        return self._grader.library.files(exercise_id) is not None
-
-    def _files(self, exercise_id: str) -> Mapping[str, bytes]:
-        return dict(self._grader.library.files(exercise_id) or {})
 
     def _started(self) -> ThreadPoolExecutor:
         if self._threads is None:
@@ -87,7 +82,8 @@ class RegradingProcesses:
 
     def _elsewhere(self, attempts: Sequence[Attempt]) -> list[Rejudged]:
         """Judge a chunk in a process, by exercises as they were read here; here, where it cannot."""
-        files = {attempt.exercise_id: self._files(attempt.exercise_id) for attempt in attempts}
+        ids = {attempt.exercise_id for attempt in attempts}
+        files = {name: dict(self._grader.library.files(name) or {}) for name in ids}
         task = (_judged_there, (files, self._grader.limits, self._asked, tuple(attempts)))
         process = self._idle.get()
         try:

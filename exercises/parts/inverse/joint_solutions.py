@@ -153,7 +153,9 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
         """Judge the rows by the robot, carried over from the student's own variables if there is a table."""
         if context.instance.exercise.part(TABLE) is not None and not context.own_correct:
             return judged(part, 0.0, Credit.NONE, feedback=(Feedback(code="joints_need_table"),))
-        found = judge_joints(question_of(part, context.instance), _in_key(answer, context))
+        own = _certified(context)
+        in_key = answer if own is None else in_other_frames(answer, *own)
+        found = judge_joints(question_of(part, context.instance), in_key)
         facts = [fact(row.right, "solutions", i) for i, row in enumerate(found.rows)]
         facts += [fact(holds, "combinations", i) for i, holds in enumerate(found.combinations)]
         if found.missing or (found.share < 1.0 and answer.claim is not found.expected):
@@ -223,11 +225,6 @@ def _certified(context: Context) -> tuple[tuple[int, ...], tuple[float, ...]] | 
         for offset, kind in zip(certificate.joint_offsets, context.reference.table.joint_types, strict=True)
     )
     return certificate.joint_signs, offsets
-
-
-def _in_key(answer: JointAnswer, context: Context) -> JointAnswer:
-    own = _certified(context)
-    return answer if own is None else in_other_frames(answer, *own)
 
 
 PART = InverseKinematicsType()

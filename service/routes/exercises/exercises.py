@@ -78,7 +78,7 @@ async def list_exercises(request: ApiRequest) -> Response:
     """Return every exercise with its title, in the caller's language."""
     language = language_of(request)
     listed = exercise_list(resources_of(request).exercises, language, context_of(request))
-    return _text(request, encoded(listed), language, JSON)
+    return text_response(request, encoded(listed), JSON, _headers(language))
 
 
 @router.get(
@@ -96,7 +96,7 @@ async def show_exercise(request: ApiRequest) -> Response:
         return _view(resources_of(request).figures, _asked_instance(request), language, context_of(request))
 
     body = await _first(request, "view", work)
-    return _text(request, body, language, JSON)
+    return text_response(request, body, JSON, _headers(language))
 
 
 @lru_cache(maxsize=CACHED_VIEWS)
@@ -242,11 +242,6 @@ def _help_of(
         return asked, attempt
     levels = [level for level in (asked, context.help) if level is not None]
     return (lowest(levels) if levels else None), attempt if context.attempt is None else context.attempt
-
-
-def _text(request: Request, body: bytes, language: str, media_type: str) -> Response:
-    """What is read again and again: with a validator, and compressed for who takes it."""
-    return text_response(request, body, media_type, _headers(language))
 
 
 def _headers(language: str) -> dict[str, str]:

@@ -107,7 +107,7 @@ async def grade_table(request: ApiRequest) -> Response:
 async def _many(request: ApiRequest, body: dict[str, Any]) -> Response:
     form = request.accepts(JSON, NDJSON)
     found = _verdicts(validated(GradeManyRequest, body), request.settings.cell_limits, language_of(request))
-    blocks = _lines(found) if form == NDJSON else _members(found)
+    blocks = (verdict + b"\n" for verdict in found) if form == NDJSON else _members(found)
     slot = await request.resources.grading.acquire()
     try:
         first = await slot.run(lambda: next(blocks, b""))  # a key that cannot be read is refused as a whole
@@ -160,12 +160,6 @@ def _verdicts(asked: GradeManyRequest, limits: Limits, language: str) -> Iterato
             yield encoded(record_body(verdict, language))
         except (KinematicsError, ServiceError) as error:
             yield encoded({**problem_of(error).document(language), "attempt_counted": False})
-
-
-def _lines(found: Iterator[bytes]) -> Iterator[bytes]:
-    """Yield verdicts as NDJSON."""
-    for verdict in found:
-        yield verdict + b"\n"
 
 
 def _members(found: Iterator[bytes]) -> Iterator[bytes]:

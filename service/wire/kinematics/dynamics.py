@@ -146,7 +146,10 @@ def numeric_answer(question: NumericDynamicsRequest, settings: Settings) -> dict
         drive = values_in_radians(question.torque, [1.0] * robot.n_joints, "torque")
         answer["accelerations"] = robot.accelerations(q, rates, drive)
         _check_finite(answer)
-    return {name: _plain(value) for name, value in answer.items()}
+    return {
+        name: value if isinstance(value, str) else plain_lists(np.asarray(value))
+        for name, value in answer.items()
+    }
 
 
 def _check_finite(answer: Mapping[str, Any]) -> None:
@@ -233,7 +236,3 @@ def _valued(link: SymbolicBody, values: Mapping[str, Expression]) -> SymbolicBod
 
     inertia = tuple(triple(map(put, row)) for row in link.inertia)
     return RigidBody(mass=put(link.mass), centre=triple(map(put, link.centre)), inertia=inertia)
-
-
-def _plain(value: Any) -> Any:
-    return value if isinstance(value, str) else plain_lists(np.asarray(value))

@@ -198,7 +198,9 @@ def target_answer(answer: InverseKinematics, robot: InUnits) -> dict[str, Any]:
             )
             for solution in answer.solutions
         ],
-        "nearest": None if nearest is None else _nearest(nearest, robot),
+        "nearest": None
+        if nearest is None
+        else Nearest(**_reached(nearest, robot), transform=plain_lists(nearest.transform), size=nearest.size),
         "reason": answer.reason,
         "outside_limits": answer.outside_limits,
         "tolerance": answer.tolerance,
@@ -223,10 +225,6 @@ def _family(family: Family, robot: InUnits) -> SolutionFamily:
         else [way * units[parameter] / unit + 0.0 for way, unit in zip(family.direction, units, strict=True)],
         members=[in_request_units(member, robot.joint_units) for member in family.members],
     )
-
-
-def _nearest(nearest: NearestPose, robot: InUnits) -> Nearest:
-    return Nearest(**_reached(nearest, robot), transform=plain_lists(nearest.transform), size=nearest.size)
 
 
 def _reached(found: IKSolution | NearestPose, robot: InUnits) -> dict[str, Any]:
