@@ -9,6 +9,7 @@ parallel       three parallel axes
 general        six revolute joints of any kind, as an eigenproblem
 partition      arms of few joints, or with slides before a wrist
 position       three joints that bring points to their places
+axis_lines     where axes meet, and turns about them
 trigonometric  equations in the cosine and sine of one angle
 locked         arms with a redundant joint: one is held
 """

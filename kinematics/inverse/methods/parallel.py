@@ -21,8 +21,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from kinematics.inverse.arm import Arm, Array
+from kinematics.inverse.methods.axis_lines import ALMOST, angle_about
 from kinematics.inverse.methods.trigonometric import linear_roots, quadratic_roots, rotations, sampled_roots
-from kinematics.inverse.methods.wrist import ALMOST
 from kinematics.se3 import cross_arrays, inverse_transform
 
 PARALLEL = 1e-7
@@ -278,9 +278,3 @@ def _turns_to(h: Array, z5: Array, z6: Array, v: Array) -> tuple[float, ...] | N
         half = math.atan2(float(np.linalg.norm(cross_arrays(v, z6))), float(v @ z6))
         return middle - half, middle + half
     return linear_roots(c, s, float(v @ z6) - k)
-
-
-def angle_about(z: Array, u: Array, v: Array) -> float:
-    """Return the angle about an axis from u to v."""
-    u, v = u - (u @ z) * z, v - (v @ z) * z
-    return math.atan2(float(z @ cross_arrays(u, v)), float(u @ v))

@@ -14,6 +14,7 @@ from itertools import pairwise
 import numpy as np
 
 from kinematics.inverse.arm import Arm, Array
+from kinematics.inverse.methods.axis_lines import angle_about
 from kinematics.inverse.methods.position import DegenerateError, Joint, place_points
 from kinematics.inverse.methods.trigonometric import rotations
 from kinematics.se3 import cross_arrays, inverse_transform
@@ -169,10 +170,8 @@ def _last_turn(axis: Array, R: Array) -> float:
 
 def _turn(axis: Array, u: Array, v: Array) -> float:
     """The angle about an axis from u to v; 0 if either lies along it, and every angle would do."""
-    u, v = u - (u @ axis) * axis, v - (v @ axis) * axis
-    if np.linalg.norm(u) < _ALONG or np.linalg.norm(v) < _ALONG:
-        return 0.0
-    return float(np.arctan2(axis @ cross_arrays(u, v), u @ v))
+    across = (float(np.linalg.norm(cross_arrays(axis, w))) for w in (u, v))
+    return 0.0 if min(across) < _ALONG else angle_about(axis, u, v)
 
 
 def _parallel(u: Array, v: Array) -> bool:

@@ -20,15 +20,16 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 
 from kinematics.inverse.arm import Arm, Array
+from kinematics.inverse.methods.axis_lines import (
+    ALMOST,
+    angle_about,
+    common_normal,
+    common_point,
+    rotation_of,
+    twist_between,
+)
 from kinematics.inverse.methods.trigonometric import linear_roots, quadratic_roots
 from kinematics.se3 import cross_arrays, inverse_transform
-
-SAME_POINT = 1e-9
-"""Axes whose distances from their common point are below this part of the arm's size pass through it."""
-
-ALMOST = 1e-7
-"""Offsets (in parts of the size) and sines of twists below this are zero in the elimination: dividing by less
-would cost more digits than Newton steps need to bring back what was neglected."""
 
 ROUNDED = 0.1
 """Half the distance of two elbows [rad] that a target's decimals may have made none: it has three or more."""
@@ -219,27 +220,34 @@ def wrist_arm_of(arm: Arm) -> WristArm | None:
     if centre is None:
         return None
     sines = [float(np.linalg.norm(cross_arrays(z[i], z[i + 1]))) for i in (3, 4)]
-    foot1, foot2, x1 = _common_normal(z[0], p[0], z[1], p[1])
-    foot2_next, foot3, x2 = _common_normal(z[1], p[1], z[2], p[2], foot2)
+    foot1, foot2, x1 = common_normal(z[0], p[0], z[1], p[1])
+    foot2_next, foot3, x2 = common_normal(z[1], p[1], z[2], p[2], foot2)
     across = centre - foot3 - ((centre - foot3) @ z[2]) * z[2]
     radius = float(np.linalg.norm(across))
     a1, a2 = float((foot2 - foot1) @ x1), float((foot3 - foot2_next) @ x2)
-    ca1, sa1 = _cos_sin(z[0], z[1], x1)
+    ca1, sa1 = twist_between(z[0], z[1], x1)
     if min(sines) <= ALMOST or radius <= ALMOST or (abs(a1) <= ALMOST and abs(sa1) <= ALMOST):
         return None
-    ca2, sa2 = _cos_sin(z[1], z[2], x2)
+    ca2, sa2 = twist_between(z[1], z[2], x2)
     x3 = across / radius
     x4, x5 = cross_arrays(z[3], z[4]) / sines[0], cross_arrays(z[4], z[5]) / sines[1]
-    F3, F4 = _axes(x3, z[2]), _axes(x4, z[3])
+    F3, F4 = rotation_of(x3, z[2]), rotation_of(x4, z[3])
     F1, F6 = np.eye(4), np.eye(4)
-    F1[:3, :3], F1[:3, 3] = _axes(x1, z[0]), foot1 * arm.size
-    F6[:3, :3], F6[:3, 3] = _axes(x5, z[5]), centre * arm.size
-    ca4, sa4 = _cos_sin(z[3], z[4], x4)
-    ca5, sa5 = _cos_sin(z[4], z[5], x5)
+    F1[:3, :3], F1[:3, 3] = rotation_of(x1, z[0]), foot1 * arm.size
+    F6[:3, :3], F6[:3, 3] = rotation_of(x5, z[5]), centre * arm.size
+    ca4, sa4 = twist_between(z[3], z[4], x4)
+    ca5, sa5 = twist_between(z[4], z[5], x5)
     return WristArm(
         before=inverse_transform(F1),
         after=inverse_transform(end) @ F6,
-        zeros=(0.0, _angle(z[1], x1, x2), _angle(z[2], x2, x3), 0.0, _angle(z[4], x4, x5), 0.0),
+        zeros=(
+            0.0,
+            angle_about(z[1], x1, x2),
+            angle_about(z[2], x2, x3),
+            0.0,
+            angle_about(z[4], x4, x5),
+            0.0,
+        ),
         head=Head(
             a1,
             ca1,
@@ -255,52 +263,3 @@ def wrist_arm_of(arm: Arm) -> WristArm | None:
         wrist=(ca4, sa4, ca5, sa5),
         size=arm.size,
     )
-
-
-def common_point(z: Array, p: Array) -> Array | None:
-    """Return the point through which all axes pass (lengths in units of the arm's size), or None."""
-    if all(float(np.linalg.norm(cross_arrays(z[i], z[i + 1]))) <= ALMOST for i in range(len(z) - 1)):
-        return None
-    across = np.eye(3) - z[:, :, None] * z[:, None, :]
-    centre = np.linalg.lstsq(across.reshape(-1, 3), np.einsum("kij,kj->ki", across, p).ravel(), rcond=None)[0]
-    off = np.linalg.norm(np.einsum("kij,kj->ki", across, centre - p), axis=1)
-    return np.asarray(centre) if float(off.max()) <= SAME_POINT else None
-
-
-def _common_normal(
-    z1: Array, p1: Array, z2: Array, p2: Array, near: Array | None = None
-) -> tuple[Array, Array, Array]:
-    """Return the feet of the common normal and its direction; of parallel axes the one near a point."""
-    normal = cross_arrays(z1, z2)
-    sine = float(np.linalg.norm(normal))
-    if sine <= ALMOST:
-        start = p1 if near is None else near
-        foot1 = p1 + ((start - p1) @ z1) * z1
-        foot2 = p2 + ((foot1 - p2) @ z2) * z2
-        way = foot2 - foot1
-        length = float(np.linalg.norm(way))
-        return foot1, foot2, way / length if length > ALMOST else np.linalg.svd(z1[None])[2][1]
-    x = normal / sine
-    d = p2 - p1
-    foot1 = p1 + (float(cross_arrays(d, z2) @ normal) / sine**2) * z1
-    foot2 = p2 + (float(cross_arrays(d, z1) @ normal) / sine**2) * z2
-    return foot1, foot2, x
-
-
-def _cos_sin(z1: Array, z2: Array, x: Array) -> tuple[float, float]:
-    """Return cosine and sine of the twist between axes about x, right angles without rounding."""
-    cosine, sine = float(z1 @ z2), float(cross_arrays(z1, z2) @ x)
-    if abs(cosine) < 1e-15:
-        return 0.0, math.copysign(1.0, sine)
-    if abs(sine) < 1e-15:
-        return math.copysign(1.0, cosine), 0.0
-    return cosine, sine
-
-
-def _angle(z: Array, x: Array, other: Array) -> float:
-    """The angle about z from x to the other."""
-    return math.atan2(float(cross_arrays(x, other) @ z), float(x @ other))
-
-
-def _axes(x: Array, z: Array) -> Array:
-    return np.column_stack((x, cross_arrays(z, x), z))

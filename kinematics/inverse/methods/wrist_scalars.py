@@ -33,7 +33,8 @@ import numpy as np
 from kinematics.evaluation.straight_line import function_of_floats
 from kinematics.evaluation.tape import Tape
 from kinematics.inverse.arm import Arm, Array, low_discrepancy
-from kinematics.inverse.methods.wrist import ALMOST, WristArm
+from kinematics.inverse.methods.axis_lines import ALMOST
+from kinematics.inverse.methods.wrist import WristArm
 from kinematics.inverse.methods.wrist_tapes import plane_tape, seen_tape
 from kinematics.inverse.results import IKSolution, Isolation
 from kinematics.inverse.self_motions.isolation import LONG
