@@ -23,11 +23,9 @@ _TINY, _TINY_BESIDE_A_SLIDE = 1e-9, 1e-6
 _ROUNDED_AWAY = 1e-13
 """The same of turning joints that only have to bring the origin somewhere: without offsets they cannot."""
 
-FULL_RANK = 1e-4
-"""Singular values that exceed this somewhere are not zero everywhere."""
+FULL_RANK = 1e-4  # Singular values that exceed this somewhere are not zero everywhere.
 
-RANK_SAMPLES = 8
-"""Configurations at which the rank is looked at; one would do but for chance."""
+RANK_SAMPLES = 8  # Configurations at which the rank is looked at; one would do but for chance.
 
 
 class ArmReach(StrEnum):

@@ -24,11 +24,9 @@ from kinematics.se3 import cross_arrays
 
 Indices = NDArray[np.intp]
 
-_FREED_ONCE = 8 * 1024 * 1024
-"""Several times what a batch needs at a time [byte]."""
+_FREED_ONCE = 8 * 1024 * 1024  # Several times what a batch needs at a time [byte].
 
-AT_ONCE = 1000
-"""How many targets are solved in the same array operations: more would not fit into the cache."""
+AT_ONCE = 1000  # How many targets are solved in the same array operations: more would not fit into the cache.
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -6,8 +6,7 @@ from numpy.typing import NDArray
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.residuals import errors_at
 
-SAME = 1e-6
-"""Joint values this near [rad, or parts of the size] are the same."""
+SAME = 1e-6  # Joint values this near [rad, or parts of the size] are the same.
 
 DOUBLE_ROOT = 1e-3
 """Solutions this near are the same if the configuration between them is a solution too: a double root."""

@@ -23,8 +23,7 @@ PRINTED = 1e10
 """A position that is a whole number of 1/PRINTED [m] may have been printed; with more decimals it was
 computed."""
 
-ROUNDING = 1e-12
-"""No tolerance is smaller: rounding of the forward kinematics has to pass."""
+ROUNDING = 1e-12  # No tolerance is smaller: rounding of the forward kinematics has to pass.
 
 LARGEST_TOLERANCE = 1e-2
 """Poses with two decimals, or this part of an arm's size. Beyond it families and neighbouring solutions run
@@ -34,8 +33,7 @@ OF_ROUNDING = 3.0
 """Rounding that leaves RᵀR off the identity by δ in its worst entry moves pose and position by 3 δ at most
 in all but one in ten thousand poses; measured on random rotations with 3 to 12 decimals."""
 
-EXACT = 1e-14
-"""A rotation whose RᵀR is no farther off than this was not rounded."""
+EXACT = 1e-14  # A rotation whose RᵀR is no farther off than this was not rounded.
 
 FOUR_DIGITS = 5e-4
 """Half a unit of the last of four digits, as a share: a length with fewer was chosen rather than rounded."""

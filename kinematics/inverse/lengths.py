@@ -8,8 +8,7 @@ from kinematics.errors import Fault, TableError
 from kinematics.se3 import Transform
 from kinematics.table import NumericTable
 
-LARGEST_LENGTH = 1e60
-"""Powers of lengths up to the fourth occur on the way, and a double ends at 1.8e308."""
+LARGEST_LENGTH = 1e60  # Powers of lengths up to the fourth occur on the way, and a double ends at 1.8e308.
 
 
 def check_lengths(table: NumericTable) -> None:

@@ -15,8 +15,7 @@ from kinematics.inverse.search import Box, unbounded
 JointLimits: TypeAlias = Sequence[tuple[float | None, float | None] | None]
 """For each joint (least, greatest) [rad, or m]; None where there is no limit."""
 
-ON_LIMIT = 1e-9
-"""A value beyond its limit by no more than this [rad, or m per unit of size] is put on it."""
+ON_LIMIT = 1e-9  # A value beyond its limit by no more than this [rad, or m per unit of size] is put on it.
 
 
 FARTHEST_TURN = 1e4

@@ -9,8 +9,7 @@ from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.distinct import SAME, differences
 from kinematics.inverse.residuals import are_solutions, errors_at, errors_of
 
-NEWTON_STEPS = 20
-"""Newton steps at most: convergence is quadratic, and the first few may lead round a bend."""
+NEWTON_STEPS = 20  # Newton steps at most: convergence is quadratic, and the first few may lead round a bend.
 IDLE_STEPS = 4
 """Newton steps in a row that halve neither the least error nor the last one before it is as small as it will
 get."""
@@ -18,14 +17,11 @@ get."""
 SIX_LINKS = 1e-14
 """Size of the error vector that rounding of six links leaves: who has come as near looks no farther."""
 
-EXACT = 1e-16
-"""Size of the error vector below which another Newton step would only move rounding."""
+EXACT = 1e-16  # Size of the error vector below which another Newton step would only move rounding.
 
-LEAST_DAMPING = 1e-28
-"""Square of the singular values that are rounding: some ten roundings of a Jacobian."""
+LEAST_DAMPING = 1e-28  # Square of the singular values that are rounding: some ten roundings of a Jacobian.
 
-LONGEST_STEP = 0.3
-"""Longest Newton step [rad, or parts of the size]: from candidates it is a correction."""
+LONGEST_STEP = 0.3  # Longest Newton step [rad, or parts of the size]: from candidates it is a correction.
 
 HEAVIEST = 64.0
 """By so much more or less than usual a distance is weighed against an angle: at the ends one alone counts."""

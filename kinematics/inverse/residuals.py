@@ -6,11 +6,9 @@ from numpy.typing import NDArray
 from kinematics.inverse.arm import Arm, ArmReach, Array
 from kinematics.se3 import cross_arrays
 
-_TINY = 1e-8
-"""Up to here asin x = x to the last bit: the next term, x³/6, is less than half of it."""
+_TINY = 1e-8  # Up to here asin x = x to the last bit: the next term, x³/6, is less than half of it.
 
-_NO_AXIS = 1e-6
-"""Below this sine of its angle the antisymmetric part of a half turn has lost the axis."""
+_NO_AXIS = 1e-6  # Below this sine of its angle the antisymmetric part of a half turn has lost the axis.
 
 _PARTS = np.array(([0.0, 1.0], [0.0, 1.0], [0.0, 1.0], [1.0, 0.0]) * 3)
 """Sums the squares of the upper three rows of a 4×4 matrix into those of its position and of its rotation."""

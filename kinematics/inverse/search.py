@@ -21,14 +21,11 @@ from kinematics.inverse.newton import evened, farthest_off, polish
 from kinematics.inverse.residuals import are_solutions, errors_at, errors_of
 from kinematics.inverse.valleys import along_valleys, least_error
 
-CONVERGED = 1e-11
-"""Size of the error vector at which a start has arrived."""
+CONVERGED = 1e-11  # Size of the error vector at which a start has arrived.
 
-ARRIVED = 1e-5
-"""Size of the error vector at which Newton steps take over."""
+ARRIVED = 1e-5  # Size of the error vector at which Newton steps take over.
 
-TOLERANCE = 5e-9
-"""Largest distance [m] and angle [rad] of a solution found by search."""
+TOLERANCE = 5e-9  # Largest distance [m] and angle [rad] of a solution found by search.
 
 MOST_ISOLATED = 16
 """No arm of six joints has more isolated solutions; with more found, there is a continuum of them.
@@ -37,15 +34,13 @@ Source: E. J. F. Primrose, On the input–output equation of the general 7R-mech
 Mech. Mach. Theory 21 (1986) 509.
 """
 
-FIRST_ROUND = 32
-"""Starts of the first round: for most arms they find every solution several times."""
+FIRST_ROUND = 32  # Starts of the first round: for most arms they find every solution several times.
 REDUNDANT_STARTS = 128
 """Starts for arms with redundant joints: each of their families, sixteen at most of seven joints, draws
 many."""
 
-ENOUGH_STARTS = 512
-MOST_STARTS = 2048
-"""Starts after which a search may end, and must."""
+ENOUGH_STARTS = 512  # Starts after which a search may end.
+MOST_STARTS = 2048  # Starts after which it must.
 BY_OWN_SIZE = 256
 """Starts that descend by the arm's own size to what is nearest, where another was taken for the search."""
 

@@ -18,8 +18,7 @@ from kinematics.inverse.solver import Solver
 from kinematics.se3 import check_transform
 from kinematics.table import NumericTable
 
-MAX_JOINTS = 12
-"""Joints of an arm whose redundancy a search can still report."""
+MAX_JOINTS = 12  # Joints of an arm whose redundancy a search can still report.
 
 
 def inverse_kinematics(

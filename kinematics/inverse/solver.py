@@ -38,8 +38,7 @@ from kinematics.inverse.valleys import in_valleys, low_points
 from kinematics.se3 import Transform
 from kinematics.table import NumericTable
 
-MOST_SOLUTIONS = 64
-"""Of a search no more solutions than this are returned."""
+MOST_SOLUTIONS = 64  # Of a search no more solutions than this are returned.
 
 _SMALL = SEARCHED / LARGEST_TOLERANCE
 """Size [m] below which a search's tolerance runs the solutions of an arm into each other: what brings its

@@ -15,14 +15,11 @@ from kinematics.inverse.residuals import are_solutions, errors_and_jacobians
 STEPS = 30
 """Newton steps along a valley: where the error grows with the square of the way, each leaves two thirds."""
 
-STEEP = 1e-2
-"""Singular values above this are those of directions across a valley."""
+STEEP = 1e-2  # Singular values above this are those of directions across a valley.
 
-ACROSS = 4
-"""Gauss–Newton steps across a fold; they converge quadratically from the root of a tolerance."""
+ACROSS = 4  # Gauss–Newton steps across a fold; they converge quadratically from the root of a tolerance.
 
-A_LITTLE = 1e-5
-"""Step [rad, or parts of the size] of difference quotients of the Jacobian."""
+A_LITTLE = 1e-5  # Step [rad, or parts of the size] of difference quotients of the Jacobian.
 
 BEND, LEAST_BEND = 1e-4, 1e-2
 """Step [rad, or parts of the size] over which a fold bends by more than this, or is none."""
@@ -30,23 +27,17 @@ BEND, LEAST_BEND = 1e-4, 1e-2
 FLATTEST = 1e-14
 """Part of the greatest curvature of the squared error up to which a direction is level: rounding."""
 
-LEVEL = 1e-6
-"""Part of the greatest curvature up to which difference quotients do not tell one from none."""
+LEVEL = 1e-6  # Part of the greatest curvature up to which difference quotients do not tell one from none.
 
-LONGEST = 0.3
-"""Longest step [rad, or parts of the size]."""
+LONGEST = 0.3  # Longest step [rad, or parts of the size].
 
-NARROW = 1e-4
-"""A direction with a singular value up to this is walked along: the Jacobian hardly sees it."""
+NARROW = 1e-4  # A direction with a singular value up to this is walked along: the Jacobian hardly sees it.
 
-STRIDE = 0.1
-"""Length of a step of a walk [rad, or parts of the size]."""
+STRIDE = 0.1  # Length of a step of a walk [rad, or parts of the size].
 
-STRIDES = 64
-"""Steps to either side: a full turn."""
+STRIDES = 64  # Steps to either side: a full turn.
 
-LEFT = 1e-3
-"""An error [rad, and parts of the size] with which a walk has left its valley."""
+LEFT = 1e-3  # An error [rad, and parts of the size] with which a walk has left its valley.
 
 
 def along_valleys(arm: Arm, target: Array, joints: Array) -> Array:

@@ -54,7 +54,7 @@ from kinematics.inverse_forms.steps import (
 from kinematics.se3 import cross, triple
 from kinematics.table import SymbolicTable, table_parameters
 
-MOST_JOINTS = 6
+MOST_JOINTS = 6  # A pose fixes no more.
 
 
 def inverse_form(

@@ -9,7 +9,7 @@ from kinematics.inverse_forms.planar_joints import JointPlane
 from kinematics.inverse_forms.signed_axes import Axis, SignedArm, SignedJoint, Vector
 from kinematics.se3 import cross, dot, opposite, triple
 
-LONGEST_TAIL = 3
+LONGEST_TAIL = 3  # Joints of a wrist: what turns about its centre leaves the other joints to bring it there.
 _UNIT: tuple[Axis, ...] = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 
 

@@ -26,7 +26,7 @@ from kinematics.errors import ParameterError
 Raw = TypeVar("Raw")
 Read = TypeVar("Read")
 
-SAME = 1e-9
+SAME = 1e-9  # How far apart lengths may be, as a share, that rounding alone parts.
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -16,8 +16,7 @@ from kinematics.inverse.arm import Array
 from kinematics.inverse.methods.wrist_scalars import EXACT, FLIPPED, MARGIN, STILL, ClearWrist
 from kinematics.inverse.methods.wrist_tapes import run_on_arrays
 
-SOLUTIONS = 8
-"""Of a target that is clear here: fewer heads than four are left to others."""
+SOLUTIONS = 8  # Of a target that is clear here: fewer heads than four are left to others.
 
 _BOTH = np.array(((1.0,), (-1.0,)))
 

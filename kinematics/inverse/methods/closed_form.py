@@ -20,15 +20,13 @@ from kinematics.inverse.methods.partition import partition_of, placement_of
 from kinematics.inverse.methods.wrist import wrist_arm_of
 from kinematics.se3 import inverse_transform, skew
 
-NEARLY = 0.1
-"""Candidates with a larger error vector than this are least-squares answers, not solutions."""
+NEARLY = 0.1  # Candidates with a larger error vector than this are least-squares answers, not solutions.
 
 STANDING_STILL = 0.05
 """Largest turn [rad] of the joint that was added to an arm of five: at a double root rounding moves it most,
 by its square root, 1e-6 or so."""
 
-TARGETS_BESIDE = 8
-"""Targets beside one without an answer, some of which have an answer each."""
+TARGETS_BESIDE = 8  # Targets beside one without an answer, some of which have an answer each.
 
 BESIDE = 1e-3
 """How far they are from it [rad, and parts of the size]: nearer ones have as few digits as the target

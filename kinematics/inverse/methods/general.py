@@ -34,18 +34,15 @@ WELL_CONDITIONED = 1e9
 """Largest condition of the leading matrix with which an eigenproblem is worth its digits: Newton steps
 take over from five."""
 
-INDEPENDENT = 1e-9
-"""Singular values below this part of the largest are those of dependent equations."""
+INDEPENDENT = 1e-9  # Singular values below this part of the largest are those of dependent equations.
 
 TRUSTED = 1e-3
 """What a real eigenvalue's solution may be off. Where eigenvalues coincide, eigenvectors mix their
 solutions and are off by more; another cut of the loop parts them."""
 
-COINCIDENT = 1e-4
-"""Values of q_3 [rad] that differ by less may have mixed eigenvectors."""
+COINCIDENT = 1e-4  # Values of q_3 [rad] that differ by less may have mixed eigenvectors.
 
-MIXED = 0.618
-"""Weight of x_5 beside x_4: solutions with one q_3 differ in the sum but for rare chance."""
+MIXED = 0.618  # Weight of x_5 beside x_4: solutions with one q_3 differ in the sum but for rare chance.
 
 _SHIFTS = ((0.4, 1.1, -0.7), (2.3, -0.9, 1.9), (-1.6, 0.3, 0.8), (1.2, 2.6, -2.1))
 """Half turns of (q_3, q_4, q_5), where tangents of half angles are infinite, are put at these angles plus

@@ -20,17 +20,13 @@ from kinematics.inverse.methods.closed_form import InverseClosedForm, closed_for
 from kinematics.inverse.methods.general import GeneralArm
 from kinematics.inverse.residuals import errors_at
 
-VALUES = 32
-"""Angles at which a joint is locked, spread over a turn."""
+VALUES = 32  # Angles at which a joint is locked, spread over a turn.
 
-EVERY = 4
-"""Of exact solutions those of every fourth angle are enough: families cross many."""
+EVERY = 4  # Of exact solutions those of every fourth angle are enough: families cross many.
 
-EXACT = 1e-6
-"""Size of the error vector of a candidate that is a solution."""
+EXACT = 1e-6  # Size of the error vector of a candidate that is a solution.
 
-NEAR = 0.2
-"""The same of one from which a descent is worth while."""
+NEAR = 0.2  # The same of one from which a descent is worth while.
 
 _FIRST = 0.37
 """Part of the distance between angles by which the first is off a half turn: round angles are special."""

@@ -19,9 +19,8 @@ from kinematics.inverse.methods.position import DegenerateError, Joint, place_po
 from kinematics.inverse.methods.trigonometric import rotations
 from kinematics.se3 import cross_arrays, inverse_transform
 
-LONGEST_HEAD = 3
-LONGEST_TAIL = 3
-"""Joints before and behind the ones that a position fixes."""
+LONGEST_HEAD = 3  # Joints that the positions of points fix: `position` solves for three.
+LONGEST_TAIL = 3  # Joints behind these that turn about one point: a wrist.
 
 _SAME_POINT = 1e-9
 _PARALLEL = 1e-6

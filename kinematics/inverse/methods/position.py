@@ -21,8 +21,7 @@ from numpy.typing import NDArray
 from kinematics.inverse.arm import Array
 from kinematics.se3 import cross_arrays
 
-_NOTHING = 1e-11
-"""A quantity this small beside its terms is zero for every q."""
+_NOTHING = 1e-11  # A quantity this small beside its terms is zero for every q.
 
 _NEARLY_REAL = 0.1
 """Roots this near to the real line (or to the unit circle) are tried: a target with three decimals moves a
@@ -31,8 +30,7 @@ double root by some √1e-3, and what is tried in vain costs little."""
 _NEARLY_ZERO = 1e-6
 """An equation without unknowns is contradictory if it is off by more than this, in units of the size."""
 
-_ON_AXIS = 1e-7
-"""Points as near to an axis as this, in units of the size, do not tell the angle about it."""
+_ON_AXIS = 1e-7  # Points as near to an axis as this, in units of the size, do not tell the angle about it.
 
 _TURN_SAMPLES = 16
 _TURN_DEGREE = 4

@@ -15,11 +15,9 @@ root, and of a quadruple one by its fourth root, 2e-4; the rest is for coefficie
 ONE_ROOT = 1e-6
 """Half the distance of two roots [rad] that rounding of some 1e-13 in k may have parted, or made one."""
 
-LEAST_PARTED = 1e-8
-"""Half the distance [rad] at which two roots are tried that rounding has made one."""
+LEAST_PARTED = 1e-8  # Half the distance [rad] at which two roots are tried that rounding has made one.
 
-NOTHING = 1e-13
-"""Coefficients this small beside the largest are what rounding leaves of zero."""
+NOTHING = 1e-13  # Coefficients this small beside the largest are what rounding leaves of zero.
 
 
 def rotations(axis: NDArray[np.float64], q: float | NDArray[np.float64]) -> NDArray[np.float64]:

@@ -43,23 +43,18 @@ from kinematics.se3 import inverse_transform
 THE_SAME = 1e-13
 """Largest entry by which the normal form may be off the chain, lengths in units of the size: rounding."""
 
-EXACT = 1e-12
-"""What is off by more than this [rad, and parts of the size] is left to Newton's steps."""
+EXACT = 1e-12  # What is off by more than this [rad, and parts of the size] is left to Newton's steps.
 
-STILL = LONG / 2.0
-"""What moves by no more than this [rad] is no family."""
+STILL = LONG / 2.0  # What moves by no more than this [rad] is no family.
 
 MARGIN = 4.0
 """Roots this many times farther from zero than what the tolerance can make of them stay what they are."""
 
-FLIPPED = 1e-15
-"""What adding π to two angles leaves of rounding [rad]."""
+FLIPPED = 1e-15  # What adding π to two angles leaves of rounding [rad].
 
-CLEARLY = 1e-6
-"""Part of its terms by which a square root's argument is below zero where there is no root."""
+CLEARLY = 1e-6  # Part of its terms by which a square root's argument is below zero where there is no root.
 
-_LOOKS = 5
-"""Configurations at which a closed form is tried before it is believed."""
+_LOOKS = 5  # Configurations at which a closed form is tried before it is believed.
 
 _solution: Callable[[tuple[object, ...]], IKSolution] = partial(tuple.__new__, IKSolution)
 """As the class itself would, in a third of the time."""

@@ -15,8 +15,7 @@ from kinematics.inverse.arm import Array
 from kinematics.inverse.methods.wrist import WristArm
 from kinematics.se3 import Scalar
 
-ROUNDED_OFF = 1e-15
-"""Entries of the arm's constant rotations this near to 0, 1 or -1 are these."""
+ROUNDED_OFF = 1e-15  # Entries of the arm's constant rotations this near to 0, 1 or -1 are these.
 
 
 def seen_tape(wrist: WristArm) -> Tape:

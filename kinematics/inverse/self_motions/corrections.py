@@ -9,11 +9,9 @@ from kinematics.inverse.residuals import errors_and_jacobians
 ROUNDS = 4
 """Gauss–Newton steps for one step along the path: convergence is quadratic from an error of STRAIGHT·step."""
 
-EXACT = 1e-14
-"""Size of the error vector that another step would not make smaller."""
+EXACT = 1e-14  # Size of the error vector that another step would not make smaller.
 
-UNSEEN = 1e-7
-"""Part of the largest singular value up to which a correction takes others for zero."""
+UNSEEN = 1e-7  # Part of the largest singular value up to which a correction takes others for zero.
 
 PLAIN, RIDGE = 1e8, 1e-14
 """Condition of normal equations up to which their steps are as good as any: the next step mends what 1e-8 of

@@ -23,29 +23,21 @@ NEAR_A_CROSSING = 0.5
 """Second singular values above this at a point of a path do not vanish within a step of it: they change by
 no more than one for each radian, and half a longest step is 0.2."""
 
-SLOPE = 4.0
-"""A second singular value above this many times the width of its bracket does not vanish in it."""
+SLOPE = 4.0  # A second singular value above this many times the width of its bracket does not vanish in it.
 
-NARROW = 1e-8
-"""Brackets are no narrower than this part of a step."""
+NARROW = 1e-8  # Brackets are no narrower than this part of a step.
 
-MOST_TRIED = 12
-"""Least second singular values that are looked at on one path; the paths of a PUMA have four."""
+MOST_TRIED = 12  # Least second singular values that are looked at on one path; the paths of a PUMA have four.
 
-INNER = 8
-"""Points looked at together inside a bracket."""
+INNER = 8  # Points looked at together inside a bracket.
 
-LOOKS = 90
-"""Directions looked at over half a turn: corrections bring back what two degrees are off."""
+LOOKS = 90  # Directions looked at over half a turn: corrections bring back what two degrees are off.
 
-A_LITTLE = 1e-4
-"""Step [rad, or parts of the size] of difference quotients."""
+A_LITTLE = 1e-4  # Step [rad, or parts of the size] of difference quotients.
 
-LEVEL = 0.2
-"""Part of the largest bend up to which a least one may be none."""
+LEVEL = 0.2  # Part of the largest bend up to which a least one may be none.
 
-ONE_DIRECTION = 0.99
-"""Cosine above which two directions are one."""
+ONE_DIRECTION = 0.99  # Cosine above which two directions are one.
 
 AT_REST = 1e-3
 """Singular values up to this do not tell which combination of directions leaves joints at rest."""

@@ -19,18 +19,15 @@ from kinematics.inverse.distinct import shorter_way
 from kinematics.inverse.residuals import are_solutions, errors_and_jacobians
 from kinematics.inverse.self_motions.corrections import corrected
 
-FARTHEST = 10.0
-"""Slides without end are followed for ten times the arm's size and the target's distance."""
+FARTHEST = 10.0  # Slides without end are followed for ten times the arm's size and the target's distance.
 
 LOST = 1e-6
 """Second singular values below this, or the root of the tolerance, are as good as zero: within a tolerance ε
 families join that are some √ε apart."""
 
-TOGETHER = 1e-12
-"""Solutions this near [rad, or parts of the size] are one."""
+TOGETHER = 1e-12  # Solutions this near [rad, or parts of the size] are one.
 
-AT_REST = 1e-3
-"""Parts of a direction up to this [rad, or parts of the size] leave a joint at rest."""
+AT_REST = 1e-3  # Parts of a direction up to this [rad, or parts of the size] leave a joint at rest.
 
 MOST_CORRECTIONS = 2600
 """Corrections after which a target's families are followed no further; the longest paths take 800 more. A

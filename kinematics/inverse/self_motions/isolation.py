@@ -16,8 +16,7 @@ from kinematics.inverse.residuals import are_solutions, errors_of
 from kinematics.inverse.self_motions.corrections import corrected
 from kinematics.inverse.self_motions.families import LOST, Follower, weighing_alike
 
-LONG = 0.02
-"""A solution that can be moved by this [rad, or parts of the size] belongs to a family."""
+LONG = 0.02  # A solution that can be moved by this [rad, or parts of the size] belongs to a family.
 
 ACROSS_A_FOLD = 8.0
 """Two solutions beside a fold with curvature κ are joined within a tolerance ε up to 2√(2ε/κ) apart; κ is

@@ -23,8 +23,7 @@ doubled while the path stays straight. A path that noise bends is followed by st
 LONGEST_STEP = 0.4
 """Straight families (a wrist in line) are followed in steps of this length; bent ones in shorter steps."""
 
-SHORTEST_STEP = 1e-7
-"""A path ends where not even this step keeps the target."""
+SHORTEST_STEP = 1e-7  # A path ends where not even this step keeps the target.
 
 SOME_HALVES = 4
 """Halves that are tried together first: a bend takes one or two, the end of a path all of them."""
@@ -32,8 +31,7 @@ SOME_HALVES = 4
 SLIDING = 1e-9
 """Turns below this [rad per unit] in a direction: slides alone move, and steps may be of any length."""
 
-MOST_STEPS = 400
-"""More steps than the longest closed paths of seven-joint arms were seen to take (some 250)."""
+MOST_STEPS = 400  # More steps than the longest closed paths of seven-joint arms were seen to take (some 250).
 
 CLEARANCE = 3.0
 """A path that comes back to its start is beside it by a few roots of the tolerance: so wide is what a
@@ -54,8 +52,7 @@ second singular value are divided again."""
 AGAIN, ASIDE = 0.9, 0.02
 """Cosine above which a path that comes as near as this part of a step to an earlier point goes its way."""
 
-BACK = 0.2
-"""Part of a step that a path may come back to its start, or one way to the other, beside it."""
+BACK = 0.2  # Part of a step that a path may come back to its start, or one way to the other, beside it.
 
 
 def path_through(follower: Follower, x: Array, direction: Array, held: Array | None = None) -> FamilyPath:

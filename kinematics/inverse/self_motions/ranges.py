@@ -16,8 +16,7 @@ from kinematics.inverse.search import Box
 from kinematics.inverse.self_motions.families import FamilyPath, Follower
 from kinematics.inverse.self_motions.membership import Component
 
-MEMBERS = 13
-"""Members of a family that are returned: every 30° of a full turn."""
+MEMBERS = 13  # Members of a family that are returned: every 30° of a full turn.
 
 FINE = 0.05
 """Distance between the points of a path at which limits are looked at [rad, or parts of the size]."""

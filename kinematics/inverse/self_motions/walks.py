@@ -15,8 +15,7 @@ from kinematics.inverse.self_motions.paths import FIRST_STEP, MOST_STEPS
 WALK, SHORTEST_WALK = 0.2, 1e-2
 """Steps of a walk from one solution to another [rad, or parts of the size]: longest and shortest."""
 
-NEARER = 0.01
-"""Part of its step by which a walk has to come nearer."""
+NEARER = 0.01  # Part of its step by which a walk has to come nearer.
 
 ASTRAY = 0.01
 """A walk ends where less than this part of the way to its end lies in directions that it may take."""
