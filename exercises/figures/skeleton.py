@@ -32,8 +32,7 @@ CLOSE = 0.05  # Bodies closer than this, relative to the robot's reach, move apa
 
 APART = 0.14  # How far they move, relative to the robot's reach.
 
-ABOVE = 0.1
-"""From which height above O0 joint 1 stands on the ground there, relative to the robot's reach."""
+ABOVE = 0.1  # From which height above O0 joint 1 stands on the ground there, relative to the robot's reach.
 
 
 def says_all(specification: FigureSpecification, reference: SymbolicTable) -> bool:

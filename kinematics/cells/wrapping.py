@@ -36,8 +36,7 @@ _BRACED = re.compile(
 _EMPTY_BRACES = re.compile(r"\{\s*\}(?=\s*\^)")
 _DISPLAYED = re.compile(r"(\s*)\\\[(.*)\\\](\s*)", re.DOTALL)
 _SWITCH = re.compile(r"\\(?:it|rm|bf|sf|mit|displaystyle|textstyle)(?![A-Za-z])")
-_ANGLE = re.compile(r"(\\ang *\{)([^{};]*)\}")
-"""An angle in degrees as siunitx takes it: \\ang{90}."""
+_ANGLE = re.compile(r"(\\ang *\{)([^{};]*)\}")  # An angle in degrees as siunitx takes it: \ang{90}.
 _ESCAPED_INDEX = re.compile(r"\\(_\w+)")
 _ENTITY = re.compile(r"&(?:#[0-9]{1,6}|#x[0-9A-Fa-f]{1,5}|[A-Za-z]{2,8}[0-9]{0,2});")
 _LOWERED = re.compile(r"<sub>\s*(\w+)\s*</sub>", re.IGNORECASE)

@@ -14,7 +14,7 @@ from itertools import pairwise
 import numpy as np
 
 from kinematics.inverse.arm import Arm, Array
-from kinematics.inverse.methods.axis_lines import angle_about
+from kinematics.inverse.methods.axis_lines import angle_about, common_point
 from kinematics.inverse.methods.position import DegenerateError, Joint, place_points
 from kinematics.inverse.methods.trigonometric import rotations
 from kinematics.se3 import cross_arrays, inverse_transform
@@ -22,10 +22,7 @@ from kinematics.se3 import cross_arrays, inverse_transform
 LONGEST_HEAD = 3  # Joints that the positions of points fix: `position` solves for three.
 LONGEST_TAIL = 3  # Joints behind these that turn about one point: a wrist.
 
-_SAME_POINT = 1e-9
-_PARALLEL = 1e-6
-"""Distance from a point, in units of the size, below which axes pass through it, and sine of the angle below
-which two are parallel."""
+_PARALLEL = 1e-6  # Sine of the angle below which two axes are parallel.
 
 _ALONG = 1e-12
 """Sine of the angle to an axis below which a direction lies along it: well below every tolerance."""
@@ -112,11 +109,9 @@ def _points_left_alone(tail: Sequence[Joint], size: float) -> Array | None:
         return np.array((tail[0].point - 0.7 * along, tail[0].point + 0.4 * along))
     if any(_parallel(one.axis, other.axis) for one, other in pairwise(tail)):
         return None
-    across = np.array([np.eye(3) - np.outer(joint.axis, joint.axis) for joint in tail])
-    own = np.array([joint.point for joint in tail])
-    centre = np.linalg.solve(across.sum(axis=0), np.einsum("kij,kj->i", across, own))
-    off = np.linalg.norm(np.einsum("kij,kj->ki", across, centre - own), axis=1)
-    return None if float(off.max()) > _SAME_POINT * size else np.array(centre[None], dtype=np.float64)
+    axes, own = np.array([joint.axis for joint in tail]), np.array([joint.point for joint in tail])
+    centre = common_point(axes, own / size)
+    return None if centre is None else size * centre[None]
 
 
 def _tail_turns(tail: Sequence[Joint], R: Array) -> list[list[float]]:
