@@ -53,7 +53,7 @@ class SolutionsAsked(StrEnum):
 
 
 def told_units(exercise: Exercise) -> tuple[str, ...]:
-    """Return for each joint the unit in which its values are told."""
+    """Return the unit in which the values of each joint are stated."""
     units = {JointType.REVOLUTE: exercise.angle_unit.sign, JointType.PRISMATIC: exercise.length_unit.value}
     return tuple(units[kind] for kind in exercise.reference.table.joint_types)
 

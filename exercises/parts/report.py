@@ -105,7 +105,7 @@ def share_earned(right: Sequence[bool], nothing: Sequence[bool]) -> float:
 
     Args:
         right: which facts an answer has right.
-        nothing: which of them one of zeros has.
+        nothing: which of them an answer of zeros has right.
     """
     given = sum(nothing)
     earned = len(right) - given

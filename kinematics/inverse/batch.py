@@ -56,7 +56,7 @@ class InverseKinematicsBatch:
 
 
 def solve_many(solver: Solver, targets: ArrayLike) -> InverseKinematicsBatch:
-    """Return the solutions for many targets; what each has is what `Solver.solve` returns, in another order.
+    """Return the solutions for many targets: for each those that `Solver.solve` returns, in another order.
 
     Args:
         solver: the arm.

@@ -34,5 +34,5 @@ def is_long(length: float) -> bool:
 
 
 def too_long(where: Sequence[str | int]) -> Fault:
-    """Return what is said of a length that is."""
+    """Return the fault of a length that is."""
     return Fault.at("result_not_finite", *where, limit=LARGEST_LENGTH)

@@ -35,7 +35,7 @@ other weight brings distance and angle within them. It leaves room for a least t
 
 
 def polish(arm: Arm, targets: Array, joints: Array) -> Array:
-    """Newton steps from configurations that are nearly right; the best on the way is returned.
+    """Return the best configurations on the way of Newton steps from those that are nearly right.
 
     Steps are damped by the error: δ = (JᵀJ + |e|²)⁻¹ Jᵀ e, of least norm where solutions are not isolated,
     and quadratically convergent to them as well (N. Yamashita, M. Fukushima, 2001). Beside a singularity
@@ -72,12 +72,14 @@ def polish(arm: Arm, targets: Array, joints: Array) -> Array:
 
 
 def farthest_off(arm: Arm, tolerance: float) -> float:
-    """Return the size of an error vector of which distance and angle are a tolerance [m and rad] each."""
+    """Return the size of an error vector whose distance and angle both equal a tolerance [m and rad]."""
     return math.hypot(tolerance, max(tolerance, arm.rounding) / arm.size)
 
 
 def evened(arm: Arm, target: Array, joints: Array, tolerance: float) -> Array:
-    """Return configurations, (m, n), those that miss the target in distance or angle alone moved within both.
+    """Return the configurations, (m, n), those that miss the target in only one of distance and angle moved.
+
+    They are moved to where both are within the tolerance.
 
     An arm of fewer than six joints misses a rounded pose, and many descents end where it does: of the same
     configurations only the first is moved. The sum of squares may be least where the one is within its

@@ -32,7 +32,7 @@ def solutions_of(arm: Arm, candidates: Array, target: Transform, tolerance: floa
 
 
 def refined(arm: Arm, candidates: Array, target: Transform, tolerance: float) -> tuple[Array, Array]:
-    """Return what `solutions_of` does, and the others, (k, n), each at the least error on its way."""
+    """Return what `solutions_of` does, and the other candidates, (k, n), each where its error was least."""
     q = candidates[np.isfinite(candidates).all(axis=1)]
     if not len(q):
         return q, q
@@ -82,7 +82,9 @@ def _onto_folds(arm: Arm, target: Array, candidates: Array, tolerance: float) ->
 
 
 def settled_on_folds(arm: Arm, target: Transform, solutions: Array, jacobians: Array) -> Array:
-    """Return solutions, those on a fold that rounding has moved off it: an elbow stretched, not all but.
+    """Return the solutions, those that rounding has moved off a fold put back on it.
+
+    An elbow is then fully stretched, not nearly so.
 
     At a fold two solutions are one; along the way v that the Jacobian does not see the error grows with the
     square.

@@ -85,7 +85,7 @@ def errors_and_jacobians(arm: Arm, x: Array, target: Array) -> tuple[Array, Arra
 
 
 def error_vectors(poses: Array, target: Array, size: float) -> Array:
-    """Where to go from here: the way to the target's origin, divided by the size, over the rotation vector.
+    """Return the way to the target: that of the origin, divided by the size, over the rotation vector.
 
     The rotation vector ω is the logarithm of R* Rᵀ, in the base.
 

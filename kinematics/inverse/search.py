@@ -72,7 +72,7 @@ class Box:
 
 
 def one_turn(low: Array, high: Array) -> tuple[Array, Array]:
-    """Of each range of an angle that is wider than a turn, the turn nearest to zero; others as they are."""
+    """Return the ranges, those of angles that are wider than a turn cut to the turn nearest to zero."""
     with np.errstate(over="ignore"):
         wide = high - low >= 2.0 * np.pi
     start = np.maximum(np.minimum(-np.pi, high - 2.0 * np.pi), low)
@@ -80,7 +80,7 @@ def one_turn(low: Array, high: Array) -> tuple[Array, Array]:
 
 
 def unbounded(n_joints: int) -> Box:
-    """No limits at all."""
+    """Return a box without limits."""
     return Box(np.full(n_joints, -np.inf), np.full(n_joints, np.inf))
 
 

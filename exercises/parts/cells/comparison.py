@@ -89,7 +89,7 @@ def agreeing(actual: Floats, wanted: Floats, size: float, tolerance: Tolerance) 
 
 
 def likeness(context: Context, actual: Floats) -> Callable[[Floats], bool]:
-    """Return what tells whether an answer, (k, 4, 4), agrees with other matrices in every cell."""
+    """Return a function that tells whether an answer, (k, 4, 4), agrees with a matrix in every cell."""
     return lambda other: bool(agreeing(actual, other, context.size, context.policy.tolerance).all())
 
 

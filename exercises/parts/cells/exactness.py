@@ -69,7 +69,7 @@ def roundings(
     rates: Collection[str],
     read: Callable[[list[str]], Sequence[Expression] | None],
 ) -> dict[Expression, tuple[Expression, ...]]:
-    """Return what entries are with each of their decimals in turn moved by what its rounding leaves open.
+    """Return entries with each of their decimals in turn moved by what its rounding leaves open.
 
     Entries without decimals or without names are left out; all are where that is too much to read.
 

@@ -75,7 +75,7 @@ def is_robot(context: Context, matrices: Sequence[SymbolicMatrix]) -> bool:
 
 
 def reads_as_robot(context: Context, matrices: Sequence[CellMatrix]) -> bool:
-    """Return the same of matrices as they are typed.
+    """Return whether matrices, as they are typed, are a ⁰T_N of the robot; see `is_robot`.
 
     Raises:
         CellError: they cannot be read.

@@ -44,7 +44,7 @@ class FoundMistakeCells:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class FoundMistake:
-    """The same, read: the row from 0, and the table with the mended row in it."""
+    """A mistake that was found: its row, counted from 0, and the table with the mended row in it."""
 
     row: int | None
     name: str | None
@@ -107,7 +107,7 @@ class FindMistakeType(MistakeType[MistakePart, FoundMistakeCells, FoundMistake])
         return FoundMistake(row=None if row is None else row - 1, name=name, mended=mended)
 
     def grade(self, part: MistakePart, answer: FoundMistake, context: Context) -> PartReport:
-        """Return a third each for place, name and repair; a repair that does says where the mistake was."""
+        """Grade place, name and repair, a third each; a repair that works shows the place, too."""
         found: Planted = context.instance.drawn[self.kind]
         key, policy, values = context.reference, as_given(context.policy), context.parameters
         pairs = {(found.row, found.code)}

@@ -54,7 +54,7 @@ class MistakeWords(NamedTuple):
     missing: str
 
     def told(self) -> dict[str, Disclosure]:
-        """Return from which level of help on each is told."""
+        """Return the level of help from which each is told."""
         return told_from(HelpLevel.ROW, *self)
 
 

@@ -75,7 +75,7 @@ class FoundFrameMistakeCells:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class FoundFrameMistake:
-    """The same in numbers; the frame only if it was given as a whole."""
+    """A mistake that was found, in numbers; the mended frame only if all of it was given."""
 
     frame: int | None
     mistake: str | None
@@ -163,7 +163,7 @@ class FrameMistakeType(MistakeType[MistakePart, FoundFrameMistakeCells, ByName[F
         return FoundFrameMistake(frame=frame, mistake=mistake, mended=mended)
 
     def grade(self, part: MistakePart, answer: ByName[FoundFrameMistake], context: Context) -> PartReport:
-        """Return a third each for place, name and repair; a repair that does says where the mistake was."""
+        """Grade place, name and repair, a third each; a repair that works shows the place, too."""
         found, here = planted_in(context.instance), answer.here
         mended = _mends(found, here, context) and _mends_elsewhere(found, answer, context)
         return self.report(

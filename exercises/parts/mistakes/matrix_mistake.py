@@ -61,7 +61,7 @@ class FoundMatrixMistakeCells:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class FoundMatrixMistake:
-    """The same, read: the entry from 0."""
+    """A mistake that was found: its row and column count from 0."""
 
     cell: tuple[int, int] | None
     mistake: str | None
@@ -150,7 +150,7 @@ class MatrixMistakeType(MistakeType[MatrixMistakePart, FoundMatrixMistakeCells, 
         return FoundMatrixMistake(cell=cell, mistake=mistake, mended=mended)
 
     def grade(self, part: MatrixMistakePart, answer: FoundMatrixMistake, context: Context) -> PartReport:
-        """Grade place, name and repair, a third each; where no place is given, a repair that does says it."""
+        """Grade place, name and repair, a third each; a repair that works shows a place not given."""
         found: PlantedMatrix = context.instance.drawn[self.kind]
         table = context.reference.table
         mended = answer.mended is not None and _is_right(found, answer.mended, context)

@@ -79,7 +79,7 @@ Way = Callable[[Matrix], Iterator[Matrix]]
 
 
 def differing(first: Matrix, second: Matrix) -> frozenset[tuple[int, int]]:
-    """Return at which entries two matrices are different functions.
+    """Return the entries in which two matrices are different functions.
 
     Polynomials in sines and cosines are equal if their normal forms are; others are compared at points.
     """

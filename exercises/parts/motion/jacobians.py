@@ -57,7 +57,7 @@ CONFIGURATIONS = 4
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class JacobianNumbers:
-    """The same in numbers, linear rows first."""
+    """A Jacobian and joint forces in numbers, linear rows first."""
 
     jacobian: Floats | None
     forces: tuple[float, ...] | None

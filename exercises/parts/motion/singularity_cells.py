@@ -33,9 +33,9 @@ class SingularityCells:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class SingularityAnswer:
-    """The same, read: for each row the functions that vanish where its conditions hold.
+    """Conditions and a lost motion as read: for each row the functions that vanish where its conditions hold.
 
-    What those with decimals are with one of these moved is `rounded`.
+    `rounded` holds what functions with decimals are with one of these moved.
     """
 
     conditions: tuple[tuple[Expression, ...], ...] | None

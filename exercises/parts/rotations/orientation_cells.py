@@ -62,7 +62,7 @@ class OrientationCells:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class OrientationAnswer:
-    """The same in numbers; angles in [rad]."""
+    """An orientation in the notations that were handed in, in numbers; angles in [rad]."""
 
     matrix: Matrix3 | None = None
     quaternion: tuple[float, ...] | None = None

@@ -93,7 +93,7 @@ def closed_form_of(arm: Arm) -> InverseClosedForm | None:
 
 
 def candidates_beside(closed_form: InverseClosedForm, arm: Arm, target: Array) -> Array:
-    """(m, n) configurations near solutions of a target for which a closed form has no answer itself.
+    """Return (m, n) configurations near the solutions for a target at which a closed form has no answer.
 
     Some poses, as of an arm folded into a plane, make its equations dependent; beside them they are not.
     """

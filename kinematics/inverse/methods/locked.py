@@ -43,7 +43,7 @@ class LockedArms:
     arm: Arm
 
     def starts(self, target: Array) -> Array:
-        """(m, n) configurations at or near solutions."""
+        """Return (m, n) configurations at or near solutions."""
         n = self.arm.n_joints
         exact, near = [np.empty((0, n))], [np.empty((0, n))]
         for k, joint, value, closed in self._closed_forms:
@@ -73,7 +73,7 @@ class LockedArms:
 
 
 def locked_arms_of(arm: Arm) -> LockedArms | None:
-    """The closed forms of an arm with one joint locked; None unless exactly one is redundant."""
+    """Return the closed forms of an arm with one joint locked; None unless exactly one is redundant."""
     return LockedArms(arm) if arm.redundancy == 1 else None
 
 

@@ -87,7 +87,7 @@ class Joint:
 
 
 def place_points(joints: Sequence[Joint], points: Array, places: Array, size: float) -> list[list[float]]:
-    """Candidates for q_1 … q_n, n ≤ 3, that bring points to their places; all solutions are near one of them.
+    """Return candidates for q_1 … q_n, n ≤ 3, that bring points to their places: near every solution is one.
 
     Args:
         joints: at most three joints, base first.

@@ -120,7 +120,7 @@ class WristArm:
 
 
 def head_turns(h: Head, x: float, y: float, z: float) -> list[Turns] | None:
-    """θ_1, θ_2, θ_3 that bring the wrist's centre to (x, y, z) in the frame of axis 1.
+    """Return the θ_1, θ_2, θ_3 that bring the wrist's centre to (x, y, z) in the frame of axis 1.
 
     None where they are undetermined.
     """
@@ -183,7 +183,7 @@ def _third_turns(h: Head, square_far: float, z: float) -> tuple[float, ...] | li
 
 
 def wrist_turns(twists: tuple[float, float, float, float], N: Rows) -> tuple[Turns, Turns]:
-    """Both ways to make N = Rot_z(θ_4) Rot_x(α_4) Rot_z(θ_5) Rot_x(α_5) Rot_z(θ_6), as nearly as may be.
+    """Return both ways to make N = Rot_z(θ_4) Rot_x(α_4) Rot_z(θ_5) Rot_x(α_5) Rot_z(θ_6), or nearly so.
 
     Where the wrist is in line and θ_4 is free, θ_4 = 0 and θ_6 makes up for it.
     """

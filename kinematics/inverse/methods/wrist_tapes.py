@@ -19,7 +19,7 @@ ROUNDED_OFF = 1e-15  # Entries of the arm's constant rotations this near to 0, 1
 
 
 def seen_tape(wrist: WristArm) -> Tape:
-    """What the normal form sees of a target: first and third column of its rotation, and the wrist's centre.
+    """Record what the normal form sees of a target: columns 1 and 3 of its rotation, and the wrist's centre.
 
     Inputs are the upper twelve entries of the target by rows, outputs nine; lengths in units of the size.
     """
@@ -37,7 +37,7 @@ def seen_tape(wrist: WristArm) -> Tape:
 
 
 def plane_tape(a1: float, ca1: float, sa1: float, aside: float) -> Tape:
-    """What the normal form sees, from a frame of which joint 1 turns x and y into the plane of the links.
+    """Record what the normal form sees from a frame whose x and y joint 1 turns into the plane of the links.
 
     Inputs are cosine and sine of θ_1 and the outputs of `seen_tape`. Outputs are x, y and z of the first and
     third column of the rotation and of the wrist's centre, seen from axis 2; z are across the plane.

@@ -26,13 +26,15 @@ is missed by stays, and such a step makes it smaller by this part squared."""
 
 
 def corrected(arm: Arm, target: Array, x: Array, held: Array) -> tuple[Array, Array, Array]:
-    """The nearest poses with held·x unchanged: x, (m, n), error vectors, (m, 6), and Jacobians, (m, 6, n)."""
+    """Return x, (m, n), error vectors and Jacobians, (m, 6, n), at the nearest poses with the same held·x."""
     free = np.linalg.svd(held)[2][:, held.shape[1] :]
     return corrected_across(arm, target, x, free.transpose(0, 2, 1))
 
 
 def corrected_across(arm: Arm, target: Array, x: Array, across: Array) -> tuple[Array, Array, Array]:
-    """The same with x moved along the columns of `across` alone, (m, n, k), orthonormal or a projection.
+    """Return the same as `corrected`, x moved along the columns of `across` alone.
+
+    These, (m, n, k), are orthonormal, or a projection.
 
     Where a target is missed by ε, as at the edge of the reach, a Gauss–Newton step knows nothing of how the
     error bends, which counts where singular values are less than √ε: one that helps nothing is taken again

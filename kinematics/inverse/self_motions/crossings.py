@@ -122,7 +122,7 @@ def _resting_directions(null: Array) -> list[Array]:
 
 
 def is_beside(follower: Follower, path: FamilyPath, x: Array, distance: float) -> bool:
-    """Whether a configuration is no farther than so from a path's points or the chords between them."""
+    """Return whether a configuration is within a distance of a path's points and the chords between them."""
     off, _ = nearest_on(follower.arm, path, x * follower.arm.units)
     return float(np.linalg.norm(off)) <= distance
 

@@ -95,12 +95,12 @@ class Follower:
         self.farthest = FARTHEST * (1.0 + float(np.linalg.norm(target[:3, 3])) / self.arm.sliding)
 
     def count(self, rows: int) -> None:
-        """Count one correction of so many configurations."""
+        """Count one correction of a number of configurations."""
         self.spent += 1 + rows // ROWS
 
     @property
     def is_spent(self) -> bool:
-        """Whether as much has been followed as may be."""
+        """Whether all corrections that are allowed have been made."""
         return self.spent >= MOST_CORRECTIONS
 
     def reached(self, e: Array) -> bool:
@@ -108,21 +108,21 @@ class Follower:
         return bool(are_solutions(e[None], self.arm, self.tolerance)[0])
 
     def corrected(self, x: Array, held: Array) -> tuple[Array, Array, Array]:
-        """The nearest pose with held·x unchanged, (k, n) rows: x, its error vector and its Jacobian."""
+        """Return x, error vector and Jacobian at the nearest pose with the same held·x; held is (k, n)."""
         found, e, J = self.corrected_all(x[None], held[None])
         return found[0], e[0], J[0]
 
     def corrected_all(self, x: Array, held: Array) -> tuple[Array, Array, Array]:
-        """Return the same of many, (m, n), each with its own held rows, (m, k, n)."""
+        """Return the same for many configurations, (m, n), each with its own held rows, (m, k, n)."""
         self.count(len(x))
         return corrected(self.arm, self.target, x, held)
 
     def moves(self, x: Array, direction: Array, step: float) -> Array | None:
-        """Where x is after a step along a direction, corrected across it; None if the target is lost."""
+        """Return x after a step along a direction, corrected across it; None if the target is lost."""
         return self.moves_each(x, step * direction[None])[0]
 
     def moves_each(self, x: Array, ways: Array) -> list[Array | None]:
-        """Where x is after each of several steps, (m, n), corrected across it; None if the target is lost.
+        """Return x after each of several steps, (m, n), corrected across it; None if the target is lost.
 
         Of two directions that the Jacobian hardly sees, a correction may lead far off along the other for
         what is a part of the tolerance: then a step is taken as it is.
@@ -147,7 +147,7 @@ class Follower:
         return bool(self.joined_each(x[None], other[None])[0])
 
     def joined_each(self, x: Array, others: Array) -> NDArray[np.bool_]:
-        """Return the same of many pairs, (m, n) and (m, n)."""
+        """Return the same as `joined` for many pairs, (m, n) and (m, n)."""
         ways = others - x
         lengths = np.linalg.norm(ways, axis=1)
         apart = np.flatnonzero(lengths >= TOGETHER)
@@ -173,11 +173,11 @@ class Follower:
         return np.asarray(self.jacobians(x[None])[0])
 
     def jacobians(self, x: Array) -> Array:
-        """(m, 6, n) Jacobians in units, at x, (m, n)."""
+        """Return the (m, 6, n) Jacobians in units, at x, (m, n)."""
         return np.asarray(self.arm.jacobians(self.arm.frames(x * self.arm.units)) * self.arm.units)
 
     def second(self, x: Array) -> Array:
-        """(m,) second least singular values of the Jacobians at x, (m, n); what no row sees counts as 0."""
+        """Return the second smallest singular value of each Jacobian, (m,); 0 for what no row sees."""
         values = np.linalg.svd(self.jacobians(x), compute_uv=False)
         place = self.arm.n_joints - 2
         return np.asarray(values[:, place] if 0 <= place < values.shape[1] else np.zeros(len(x)))
@@ -208,7 +208,7 @@ def nearest_on(arm: Arm, path: FamilyPath, q: Array) -> tuple[Array, Array]:
 
 
 def pivots_of(directions: Array) -> Sequence[int]:
-    """For each direction the joint that moves most along it, those at rest along the others first."""
+    """Return for each direction the joint that moves most along it, those at rest along the others first."""
     moved = np.abs(directions)
     chosen: list[int] = []
     for k, row in enumerate(moved):

@@ -36,7 +36,7 @@ def way_through_gaps(follower: Follower, joints: Array, path: FamilyPath, gap: f
 
 
 def nearest_places(follower: Follower, way: FamilyPath) -> list[Array]:
-    """Configurations that reach the target, one of each piece of a way and where else it comes nearest."""
+    """Return configurations that reach the target: one of each piece of a way, and where it comes nearest."""
     arm, points = follower.arm, way.points
     errors = errors_at(arm, points, follower.target)
     off = np.linalg.norm(errors, axis=1)

@@ -29,17 +29,17 @@ where it is at most √(2εκ), nor long, where it is at most ε/LONG."""
 
 
 def fold_length(tolerance: float) -> float:
-    """Return what is no longer than this [rad, or parts of the size] is one solution, not a family."""
+    """Return the length [rad, or parts of the size] up to which a family counts as one solution."""
     return max(LONG, ACROSS_A_FOLD * math.sqrt(tolerance))
 
 
 def lost_value(tolerance: float) -> float:
-    """Return the least singular value of the Jacobian above which a solution is not of a family."""
+    """Return the singular value of the Jacobian below which its smallest may be a family's."""
     return max(tolerance / LONG * 2.0, LOST, math.sqrt(tolerance))
 
 
 def told_apart(arm: Arm, target: Array, joints: Array, tolerance: float) -> tuple[list[int], list[int]]:
-    """Return which solutions stand alone, each once; and which may be of families, the most exact first."""
+    """Return which solutions stand alone, each once, and which may be of families, most exact first."""
     if not len(joints):
         return [], []
     frames = arm.frames(joints)

@@ -144,7 +144,7 @@ def _asked_instance(request: ApiRequest) -> Instance:
 
 
 async def _first(request: ApiRequest, what: str, work: Callable[[], _Result]) -> _Result:
-    """What follows from the values that the address names a seed for; of one exercise all take as long."""
+    """What follows from the values of the address's seed; for one exercise all of them take as long."""
     context, seed = context_of(request), _seed_of(request)
     exercise_id = request.path_params["exercise_id"]
     question = (what, exercise_id, seed, language_of(request), context)
