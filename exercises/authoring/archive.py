@@ -21,8 +21,7 @@ LARGEST_ARCHIVE = 256 * 1024  # Bytes; the largest that is shipped has four thou
 MOST_FILES = 64
 """Entries of an archive: the folder, a definition, a statement in each language, and what archivers add."""
 LARGEST_FILE = 128 * 1024  # Bytes of a file as it is unpacked; a statement has at most 20,000 characters.
-_LONG_AGO = (1980, 1, 1, 0, 0, 0)
-"""The first moment that a zip archive can tell: the same draft gives the same bytes."""
+_LONG_AGO = (1980, 1, 1, 0, 0, 0)  # The first moment that a zip archive can tell.
 _FOLDER = "folder"
 _NAME = re.compile(r"(?:(?P<folder>[^/\\:\0]{1,100})/)?(?P<file>exercise\.toml|statement\.[a-z]{2}\.md)")
 _BESIDE = re.compile(r"__MACOSX/.*|(?:.*/)?\.DS_Store")
@@ -39,10 +38,15 @@ def archive_of_draft(draft: ExerciseDraft) -> bytes:
         DefinitionError: its id is no name of a folder, or a value none that TOML knows.
     """
     check_id(draft.id)
+    return zipped({f"{draft.id}/{name}": content for name, content in files_of_draft(draft).items()})
+
+
+def zipped(contents: Mapping[str, str | bytes]) -> bytes:
+    """Return files by their names as a zip archive; the same files give the same bytes."""
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, content in files_of_draft(draft).items():
-            entry = zipfile.ZipInfo(f"{draft.id}/{name}", _LONG_AGO)
+        for name, content in contents.items():
+            entry = zipfile.ZipInfo(name, _LONG_AGO)
             entry.compress_type = zipfile.ZIP_DEFLATED
             entry.external_attr = (stat.S_IFREG | 0o644) << 16
             archive.writestr(entry, content)

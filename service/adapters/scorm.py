@@ -1,9 +1,7 @@
 """SCORM packages: an exercise that an LMS plays without knowing us (SCORM 1.2 and 2004, 4th edition)."""
 
-import io
 import json
 import re
-import zipfile
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
@@ -11,6 +9,8 @@ from importlib.resources import files
 
 from jinja2 import Environment, StrictUndefined
 from markupsafe import Markup
+
+from exercises.authoring.archive import zipped
 
 _PACKAGE = files("service.adapters") / "scorm_package"
 _TEMPLATES = Environment(
@@ -20,8 +20,6 @@ _TEMPLATES = Environment(
     lstrip_blocks=True,
     keep_trailing_newline=True,
 )
-_LONG_AGO = (1980, 1, 1, 0, 0, 0)
-"""The first time that a zip file can tell: the same package is the same bytes."""
 _FILES = ("index.html", "player.js")
 
 
@@ -59,19 +57,13 @@ class ScormPackage:
 
 def package(what: ScormPackage) -> bytes:
     """Return the package as a zip archive; the same package gives the same bytes."""
-    contents = {
-        "imsmanifest.xml": manifest(what),
-        "index.html": _page(what),
-        "player.js": (_PACKAGE / "player.js").read_text(encoding="utf-8"),
-    }
-    stream = io.BytesIO()
-    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, text in contents.items():
-            entry = zipfile.ZipInfo(name, _LONG_AGO)
-            entry.compress_type = zipfile.ZIP_DEFLATED
-            entry.external_attr = 0o644 << 16
-            archive.writestr(entry, text.encode())
-    return stream.getvalue()
+    return zipped(
+        {
+            "imsmanifest.xml": manifest(what),
+            "index.html": _page(what),
+            "player.js": (_PACKAGE / "player.js").read_text(encoding="utf-8"),
+        }
+    )
 
 
 def manifest(what: ScormPackage) -> str:
