@@ -144,12 +144,18 @@ def _function(word: str) -> Function | None:
     return FUNCTION_NAMES.get(lower if lower not in {"atan2", "arctan2"} else word)
 
 
+def _names_function(word: str, digits: str) -> bool:
+    """Whether a word and the digits behind it are read as a function: cos1, atan2."""
+    return word in _TURNED or _function(word + digits) is not None
+
+
 def _spelled(word: str, digits: str, scripts: str, start: int) -> str:
     name = word + digits
     for segment in _SEGMENT.finditer(scripts):
         text = segment.group()
         plain = text.strip("_{} ") if text.startswith("_") else "".join(SUBSCRIPTS[c] for c in text)
-        name += plain if plain[0].isdigit() and name[-1].isalpha() else f"_{plain}"
+        joined = plain[0].isdigit() and name[-1].isalpha() and not _names_function(name, plain)
+        name += plain if joined else f"_{plain}"
     if len(name) > _NAME_CHARACTERS:
         raise CellRefusal("name_too_long", column=start + 1, limit=_NAME_CHARACTERS)
     return name

@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import pytest
 
-from kinematics.cells import AngleUnit
+from kinematics.cells import AngleUnit, ParameterKind, read_cell
 from kinematics.cells.grammar import parse
 from kinematics.cells.limits import Limits
 from kinematics.cells.meaning import Position, interpret
@@ -173,6 +173,15 @@ def test_entries_of_closed_forms_are_cells(seed: int) -> None:
     for line in transform:
         for entry in line:
             parse(writer.text(entry), AMPLE)
+
+
+@pytest.mark.parametrize(
+    "written", ["cos_1", "sin_{2}", "tan₃", "atan_2", "arctan_2", "sqrt_2", "L_1", "θ_{max}"]
+)
+def test_a_name_is_printed_so_that_it_is_read_as_that_name(written: str) -> None:
+    length = read_cell(written, ParameterKind.LENGTH)
+    assert isinstance(length, Parameter)
+    assert read_cell(full(length), ParameterKind.LENGTH) == length
 
 
 def test_trees_that_no_constructor_made_are_written_as_they_are() -> None:
