@@ -192,16 +192,17 @@ def assign_frames(
     frames = _frames(geometry, convention)
     base_pose = geometry.first or Pose(frames[0].origin, frames[0].x, frames[0].z)
     on_axis = [frame.origin for frame in frames[convention is Convention.MODIFIED :]]
-    warnings = tilt_remarks(tilts, table, on_axis, near_parallel)
+    T_w_0 = matrix(base_pose)
+    T_n_t = _remainder(geometry, table, T_w_0, last)
+    warnings = tilt_remarks(tilts, table, on_axis, T_n_t, near_parallel)
     if first is not None and geometry.first is None:
         warnings.append(Fault.at(_UNFIT_BASE[convention], "base"))
     if last is not None and geometry.last is None:
         warnings.append(Fault.at(_UNFIT_TOOL[convention], "tool"))
-    T_w_0 = matrix(base_pose)
     return FrameAssignment(
         table=table,
         base=T_w_0,
-        tool=_remainder(geometry, table, T_w_0, last),
+        tool=T_n_t,
         frames=frames,
         warnings=tuple(warnings),
     )

@@ -13,6 +13,7 @@ from kinematics.frames.axes import Gripper, JointAxis, gripper_frame
 from kinematics.frames.directions import CrossProduct, LengthSigns
 from kinematics.frames.exactness import exact_table
 from kinematics.frames.parallels import NearParallel
+from kinematics.poses import transform_from_xyzabc
 from kinematics.table import Convention, DHRow, DHTable, JointType, bind
 from tests.kinematics.frames.chains import KINDS, direction_of, motion, random_chain, random_end
 
@@ -285,6 +286,24 @@ def test_near_parallel_axes_stay_at_hand(convention):
         want = forward_kinematics(table, q).transform
         assert np.linalg.norm(got[:3, 3] - want[:3, 3]) <= stated
         assert np.abs(got[:3, :3] - want[:3, :3]).max() <= 2 * (7.34e-4 + 3.64e-3)
+
+
+@both
+def test_the_stated_displacement_is_that_of_a_tool_that_is_not_the_last_frame(convention):
+    """Two upright axes 0.003 rad apart, and a tool askew 2 m in front of them."""
+    tilted = [math.sin(3e-3), 0.0, math.cos(3e-3)]
+    chain = [
+        JointAxis(joint=R, point=[0.0, 0.0, 0.0], direction=[0.0, 0.0, 1.0]),
+        JointAxis(joint=R, point=[0.1, 0.0, 0.0], direction=tilted),
+    ]
+    tool = transform_from_xyzabc([2.0, 0.3, 0.1, 0.4, 0.5, 0.6])
+    result = assign_frames(chain, convention, tool=tool)
+    (warning,) = (one for one in result.warnings if one.code == "near_parallel")
+    stated = float(warning.params["displacement"])
+    got = forward_kinematics(result.table, [0.0, math.pi], base=result.base, tool=result.tool).transform
+    turned = 2.0 * np.outer(tilted, tilted) - np.eye(3)  # half a turn about the second axis
+    want = turned @ (tool[:3, 3] - [0.1, 0.0, 0.0]) + [0.1, 0.0, 0.0]
+    assert 5e-3 < np.linalg.norm(got[:3, 3] - want) <= stated
 
 
 @both
