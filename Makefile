@@ -2,8 +2,8 @@
 SHELL := /bin/bash
 PYTHON ?= python3
 PORT ?= 8000
-# Three on two processors: one that waits for a page, a delay or a database leaves none idle.
-PROCESSES ?= 3
+# Four on two processors: those that wait for a page, a delay or a database leave none idle.
+PROCESSES ?= 4
 ENGINE ?= $(if $(shell command -v docker),docker,podman)
 VENV := .venv
 PEERS := .venv-peers

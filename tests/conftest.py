@@ -63,20 +63,25 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 
 def import_from_another_end(config: pytest.Config) -> None:
-    """Have the second process import all test modules from the last one on, the third from the middle on.
+    """Have the second process import all test modules from the last one on, the others from the middle on.
 
     They do so before they collect. In a fresh clone pytest first rewrites the asserts of each module and
     keeps the result: processes that begin at different modules find most of them done, where side by side
     each does all of it. What cannot be imported is told when it is collected.
     """
     worker = getattr(config, "workerinput", {}).get("workerid")
-    if worker not in ("gw1", "gw2"):
+    if worker not in ("gw1", "gw2", "gw3"):
         return
     root = Path(__file__).parent.parent
     folders = [config.invocation_params.dir / argument for argument in config.args]
     paths = [path for folder in folders if folder.is_dir() for path in sorted(folder.rglob("test_*.py"))]
     middle = len(paths) // 2
-    for path in reversed(paths) if worker == "gw1" else paths[middle:] + paths[:middle]:
+    in_turn = {
+        "gw1": reversed(paths),
+        "gw2": paths[middle:] + paths[:middle],
+        "gw3": reversed(paths[middle:] + paths[:middle]),
+    }
+    for path in in_turn[worker]:
         with suppress(Exception, pytest.skip.Exception):
             importlib.import_module(".".join(path.relative_to(root).with_suffix("").parts))
 
