@@ -164,7 +164,7 @@ def _long_puma(*lengths: Cell) -> ReadTable:
 
 
 LONG = _long_puma(0.672, 0.4318, 0.0203, 0.15005, 0.4318, 0.193)
-TOO_FEW_DIGITS = _codes(grade(_puma(NAMES), _puma((0.4, 0.02, 0.2, 0.4)), FREE, VALUES))
+TOO_FEW_DIGITS = codes(grade(_puma(NAMES), _puma((0.4, 0.02, 0.2, 0.4)), FREE, VALUES))
 
 
 @pytest.mark.parametrize("policy", ENDS)
@@ -179,7 +179,7 @@ TOO_FEW_DIGITS = _codes(grade(_puma(NAMES), _puma((0.4, 0.02, 0.2, 0.4)), FREE, 
 def test_a_rule_that_only_the_digits_break_accuses_no_cell(lengths: Any, policy: Policy) -> None:
     """0.2 for a tool of 0.193 was told as a wrong offset, and cost more than 0.4 for 0.4318 beside it."""
     verdict = grade(LONG, _long_puma(*lengths), policy)
-    assert _codes(verdict) == TOO_FEW_DIGITS
+    assert codes(verdict) == TOO_FEW_DIGITS
     assert verdict.repairs == ()
     assert verdict.score == grade(LONG, _long_puma(0.7, 0.4, 0.02, 0.2, 0.4, 0.2), policy).score
 
@@ -188,7 +188,7 @@ def test_a_rule_that_only_the_digits_break_accuses_no_cell(lengths: Any, policy:
 @pytest.mark.parametrize("tool", [0, 0.19001, 0.21, 0.22, 0.25, 0.3, 1, -0.193])
 def test_a_rule_that_the_digits_do_not_explain_is_broken(tool: Cell, policy: Policy) -> None:
     verdict = grade(LONG, _long_puma(0.67, 0.43, 0.02, 0.15, 0.43, tool), policy)
-    assert verdict.correct or "entries_imprecise" not in _codes(verdict)
+    assert verdict.correct or "entries_imprecise" not in codes(verdict)
 
 
 def test_in_other_frames_a_repair_shows_that_the_digits_are_too_few() -> None:
@@ -196,11 +196,11 @@ def test_in_other_frames_a_repair_shows_that_the_digits_are_too_few() -> None:
     key = read("standard", [(0, 0.4, 0.123, "q1"), (0, 0.35, 0, "q2"), (0, 0, 0.2, "q3")])
     policy = Policy(base=BaseRule.FRAME, tool=ToolRule.POINT)
     answer = read("standard", [(0, 0.4, 0, "q1"), (0, 0.35, 0, "q2"), (0, 0, 0.3, "q3")])
-    assert _codes(grade(key, answer, policy)) == TOO_FEW_DIGITS
+    assert codes(grade(key, answer, policy)) == TOO_FEW_DIGITS
 
 
 def test_a_length_of_the_key_is_not_rounded() -> None:
     """Moved within its one decimal, the second length would make up for the first, which is wrong."""
     key = read("standard", [(90, 0, 0.56, "q1"), (-90, 0.4273, 0, "q2"), (-90, -0.5, "q3", 30)], "deg")
     answer = read("standard", [(90, 0, 0.56, "q1"), (-90, 0.7, 0, "q2"), (-90, -0.5, "q3", 30)], "deg")
-    assert "length_wrong" in _codes(grade(key, answer, Policy(tool=ToolRule.AXIS)))
+    assert "length_wrong" in codes(grade(key, answer, Policy(tool=ToolRule.AXIS)))
