@@ -5,8 +5,9 @@ of two dimensions being equal. Where the exercise gives its parameters values, a
 instead, or in numbers here and names there.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from functools import cached_property, lru_cache
 from itertools import islice
 from typing import NamedTuple
@@ -190,7 +191,7 @@ def _comparison(
     except ZeroDivisionError:
         return None
     names = sorted(set(values.kinds) - fixed)
-    typed = _meant(key, answer, submission, values, in_names=bool(names))
+    typed = _meant(key, answer, submission, values.lengths_of(fixed), in_names=bool(names))
     drawn = tuple(islice(_drawn(key, answer, typed, names, values), DRAWS if names else 1))
     if not drawn:
         return None
@@ -222,9 +223,17 @@ def _drawn(
 
 
 def _meant(
-    key: SymbolicTable, answer: SymbolicTable, submission: ReadTable, values: Values, *, in_names: bool
+    key: SymbolicTable,
+    answer: SymbolicTable,
+    submission: ReadTable,
+    given: Collection[Fraction],
+    *,
+    in_names: bool,
 ) -> Typed:
-    """The answer as it was meant; how exactly an entry was typed is seen where no value was put in."""
+    """The answer as it was meant; how exactly an entry was typed is seen where no value was put in.
+
+    A given length is exact where it stands for its name; beside the name it is a number like any other.
+    """
     angles, lengths = _known(key)
     known = meant(
         submission.table,
@@ -232,7 +241,7 @@ def _meant(
         angles,
         lengths if in_names else (),
         submission.last_places,
-        values.lengths,
+        given,
     )
     if known.table is submission.table:
         return replace(known, table=answer)

@@ -1,10 +1,10 @@
 """Values of the names in two tables: those that an exercise gives, and random ones."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache, cached_property, lru_cache
+from functools import cache, lru_cache
 from random import Random
 
 from kinematics.cells import AngleUnit, LengthUnit, ParameterKind, ReadTable, canonical_name, substitution
@@ -29,13 +29,10 @@ class Values:
     given: Mapping[str, Fraction | float]
     scale: float
 
-    @cached_property
-    def lengths(self) -> frozenset[Fraction]:
-        """The lengths that the exercise gives, without signs."""
+    def lengths_of(self, names: Collection[str]) -> frozenset[Fraction]:
+        """The lengths that the exercise gives to some names, without signs."""
         return frozenset(
-            abs(Fraction(value))
-            for name, value in self.given.items()
-            if self.kinds[name] is ParameterKind.LENGTH
+            abs(Fraction(self.given[name])) for name in names if self.kinds[name] is ParameterKind.LENGTH
         )
 
 

@@ -245,6 +245,25 @@ def test_numbers_are_told_apart_where_two_names_have_one_value(name: str) -> Non
         assert not grade(key, read("standard", wrong), Policy(tool=ToolRule.POINT), drawn).correct
 
 
+@pytest.mark.parametrize("drawn", [0.15, 0.3, 0.6])
+def test_a_number_beside_a_name_is_as_exact_whatever_the_name_was_drawn_to_be(drawn: float) -> None:
+    """0.3 beside a3 was exact for who had drawn a3 = 0.3, and one decimal for everybody else."""
+    key = read("modified", [(0, 0, 0, "q1"), (0, "a2", 0, "q2"), (0, "a3", "q3", 0), (0, 0, 0, "q4")])
+    answer = read(
+        "standard",
+        [
+            ("pi", 0, 0, 0),
+            (0, "a2", 0, "q1"),
+            ("pi", "a3 + 0.332", "a2", "q2"),
+            ("pi", -0.3, "q3", 0),
+            (0, 0, 0.3, "q4"),
+        ],
+    )
+    verdict = grade(key, answer, Policy(), {"a2": 0.4, "a3": drawn})
+    assert codes(verdict) == ["not_accepted", "entries_imprecise"]
+    assert verdict.score == 0.75
+
+
 @pytest.mark.parametrize("typed", [-0.45, "-d4"])
 def test_a_length_that_the_exercise_gives_is_exact(typed: Cell) -> None:
     """0.5 is d3 to its last digit, though it has one decimal: it is no 0.55 that was rounded."""
