@@ -16,6 +16,7 @@ from exercises.grading.coarse import is_right_with_more_digits, is_rounded_too_m
 from exercises.grading.edits.accused import accused, own_table_first
 from exercises.grading.edits.changes import Change
 from exercises.grading.edits.repairs import MOST_WORK, Repaired, find_repairs
+from exercises.grading.edits.table_edits import hides_an_entry
 from exercises.grading.edits.throughout import ROUNDED, seen_throughout
 from exercises.grading.edits.work import Work
 from exercises.grading.facts import Weights
@@ -153,10 +154,12 @@ def _beside_throughout(
 
 def explanation(found: Diagnosis, policy: Policy, level: HelpLevel) -> Explanation:
     """Explain why an answer is wrong, as far as may be told."""
-    repairs, work = found.repairs, found.work
+    work = found.work
+    repairs: Sequence[Repaired] = found.repairs
     links: tuple[LinkFinding, ...] = ()
     feedback: tuple[Feedback, ...] = (Feedback(code="not_equivalent"),)
     try:
+        repairs = sorted(repairs, key=lambda one: any(hides_an_entry(work, change) for change in one.changes))
         repairs = own_table_first(repairs, work.table, work.reference.table)
         links, feedback = _told(found.decision, repairs, work, policy, level)
         first = found.throughout

@@ -17,11 +17,12 @@ from exercises.grading.judging.typed import Place
 from kinematics.equivalence import ToolRule
 from kinematics.equivalence.batches import CellChange
 from kinematics.se3 import cross, norm
-from kinematics.table import CELLS, VARIABLE_CELLS, DHRow, JointType, NumericRow, NumericTable
+from kinematics.table import CELLS, VARIABLE_CELLS, Convention, DHRow, JointType, NumericRow, NumericTable
 
 # In longer tables only neighbouring rows are exchanged.
 MOST_ROWS_FOR_ALL_PAIRS = 8
 OTHER_TYPE = {JointType.REVOLUTE: JointType.PRISMATIC, JointType.PRISMATIC: JointType.REVOLUTE}
+ALONG_X = ("alpha", "a")
 UNSOLVED = {
     JointType.REVOLUTE: ("alpha", "a", "d"),
     JointType.PRISMATIC: ("alpha", "theta", "a"),
@@ -113,6 +114,8 @@ def rows_swapped(work: Work) -> Iterator[Change]:
         table = None
         if not differ and work.scope.is_left_wrong(_both(i, j), _exchanged(rows, i, j)):
             continue
+        if not differ and _is_beyond_the_joints(work, i, j):
+            continue
         if differ:
             order = list(rows)
             order[i], order[j] = other, one
@@ -124,6 +127,33 @@ def rows_swapped(work: Work) -> Iterator[Change]:
         if cells or table:
             params = (("other", j + 1),)
             yield Change("rows_swapped", Extent.ROW, i, None, tuple(cells), table, _both(i, j), params)
+
+
+def _is_beyond_the_joints(work: Work, i: int, j: int) -> bool:
+    """Whether an exchange puts what no row of the key has where no fact asks for it: that is no exchange.
+
+    Before the first joint is `a` and α of the first row of a modified table, behind the last one that of the
+    last row of a standard one.
+    """
+    rows = work.table.rows
+    if work.table.convention is Convention.MODIFIED:
+        return i == 0 and is_foreign(work, rows[j])
+    return j == len(rows) - 1 and is_foreign(work, rows[i])
+
+
+def is_foreign(work: Work, row: NumericRow, cells: Sequence[str] = ALONG_X) -> bool:
+    """Return whether a row has a twist or a length that is neither nothing nor in any row of the key."""
+    slack = {
+        "alpha": work.policy.tolerance.angle,
+        "a": work.policy.tolerance.length * work.reference.size,
+    }
+    return any(
+        all(
+            abs(abs(getattr(row, cell)) - abs(known)) > slack[cell]
+            for known in (0.0, *(getattr(each, cell) for each in work.reference.table.rows))
+        )
+        for cell in cells
+    )
 
 
 def _exchanged(rows: Sequence[NumericRow], i: int, j: int) -> Callable[[int, str], float]:
@@ -165,8 +195,14 @@ def row_left_out(work: Work) -> Iterator[Change]:
 
 
 def fixed_row_left_out(work: Work) -> Iterator[Change]:
-    """Insert a last row without a variable, which the marked point or the tool frame needs."""
-    if work.policy.tool not in (ToolRule.POINT, ToolRule.FRAME) or not work.has_the_joints():
+    """Insert a last row without a variable, which the marked point or the tool frame needs.
+
+    To the point one such row leads, and what is wrong then is in that which is there.
+    """
+    rule, last = work.policy.tool, work.table.rows[-1].joint
+    if rule not in (ToolRule.POINT, ToolRule.FRAME) or not work.has_the_joints():
+        return
+    if rule is ToolRule.POINT and last is JointType.FIXED:
         return
     angles = RIGHT_ANGLES if work.policy.tool is ToolRule.FRAME else RIGHT_ANGLES[:1]
     place = len(work.table.rows)

@@ -11,6 +11,7 @@ from itertools import combinations
 from operator import neg
 
 from exercises.grading.edits.changes import Change, Extent, with_rows
+from exercises.grading.edits.row_edits import ALONG_X, is_foreign
 from exercises.grading.edits.work import Work
 from exercises.grading.judging.typed import SAME, Place, meant_in_radians
 from kinematics.cells import AngleUnit
@@ -19,7 +20,6 @@ from kinematics.errors import ParameterError
 from kinematics.expressions import Expression, evaluate
 from kinematics.table import ANGLES, LENGTHS, Convention, DHTable, JointType, NumericRow
 
-ALONG_X = ("alpha", "a")
 LATE, EARLY = {"columns_late", "twists_late"}, {"columns_early", "twists_early"}
 LENGTH_RATIOS = (1000.0, 0.001, 100.0, 0.01, 10.0, 0.1)
 """Metres, decimetres, centimetres and millimetres for one another, the likeliest first."""
@@ -182,19 +182,8 @@ def hides_an_entry(work: Work, change: Change) -> bool:
     late = change.code in LATE | ({"convention"} if work.table.convention is Convention.STANDARD else set())
     if not late and change.code not in EARLY | {"convention"}:
         return False
-    row, key = (0 if late else -1), work.reference.table.rows
-    tolerance = {
-        "alpha": work.policy.tolerance.angle,
-        "a": work.policy.tolerance.length * work.reference.size,
-    }
-    if change.code.startswith("twists"):
-        del tolerance["a"]
-    return any(
-        all(abs(abs(value) - abs(known)) > slack for known in (0.0, *(getattr(each, cell) for each in key)))
-        for table in (work.table, change.of(work.table))
-        for cell, slack in tolerance.items()
-        for value in (getattr(table.rows[row], cell),)
-    )
+    row, cells = (0 if late else -1), ("alpha",) if change.code.startswith("twists") else ALONG_X
+    return any(is_foreign(work, table.rows[row], cells) for table in (work.table, change.of(work.table)))
 
 
 EXCHANGES = (("a", "alpha"), ("a", "d"), ("alpha", "d"))

@@ -1,0 +1,79 @@
+"""Wrong cells are told as such, not as an exchange, a shift or a missing row that makes up for them."""
+
+import pytest
+
+from exercises.grading import Policy, ToolRule, Verdict, grade
+from tests.exercises.grading.written import Cell, read
+
+Rows = list[tuple[Cell, Cell, Cell, Cell]]
+POINT, FREE = Policy(tool=ToolRule.POINT), Policy(tool=ToolRule.FREE)
+WRIST: Rows = [(90, 0, 0, "q1"), (-90, 0, 0, "q2 + 180"), (90, 0, 0, "q3 + 90")]
+STANFORD: Rows = [
+    (0, 0, "L0", "q1"),
+    (-90, 0, "L1", "q2"),
+    (90, 0, "q3", 0),
+    (0, 0, 0, "q4"),
+    (-90, 0, 0, "q5"),
+    (90, 0, "L2", "q6"),
+]
+KUKA: Rows = [
+    (180, 0, "-L0", "q1"),
+    (90, "L1", 0, "q2"),
+    (0, "L2", 0, "q3 - 90"),
+    (90, 0, "-L3", "q4"),
+    (-90, 0, 0, "q5"),
+    (90, 0, "-L4", "q6"),
+    (180, 0, 0, 180),
+]
+COLUMNS = ("alpha", "a", "d", "theta")
+
+
+def _told(key: Rows, policy: Policy, *wrong: tuple[int, str, Cell]) -> Verdict:
+    rows = [list(row) for row in key]
+    for row, cell, value in wrong:
+        rows[row - 1][COLUMNS.index(cell)] = value
+    answer = [(row[0], row[1], row[2], row[3]) for row in rows]
+    return grade(read("modified", key, "deg"), read("modified", answer, "deg"), policy)
+
+
+@pytest.mark.parametrize(
+    ("key", "wrong"),
+    [
+        (STANFORD, [(4, "alpha", 90), (4, "a", "L0")]),
+        (WRIST, [(2, "alpha", -66), (2, "d", 0.384)]),
+        (WRIST, [(2, "alpha", -66), (2, "a", 0.2143)]),
+    ],
+)
+def test_nothing_is_moved_where_it_hides_what_no_row_of_the_key_has(
+    key: Rows, wrong: list[tuple[int, str, Cell]]
+) -> None:
+    """Before the first joint every twist and length would do: rows were exchanged, or columns a row late."""
+    verdict = _told(key, FREE, *wrong)
+    assert {entry.row for entry in verdict.feedback if entry.row} == {wrong[0][0]}
+    assert all(edit.row == wrong[0][0] for edit in verdict.repairs[0].edits)
+
+
+def test_rows_that_are_exchanged_are_told() -> None:
+    """Row 2 may be the first: its twist is one of the key's."""
+    rows = [STANFORD[1], STANFORD[0], *STANFORD[2:]]
+    answer = [(*row[:3], f"q{k}" if k != 3 else row[3]) for k, row in enumerate(rows, 1)]
+    verdict = grade(read("modified", STANFORD, "deg"), read("modified", answer, "deg"), FREE)
+    assert "rows_out_of_order" in [entry.code for entry in verdict.feedback]
+
+
+def test_a_cell_is_told_before_an_exchange_within_its_row() -> None:
+    """That a length stands in the wrong column, and that a last row is missing, takes more than two cells."""
+    verdict = _told(STANFORD, POINT, (6, "a", "L0"), (6, "d", 0))
+    assert [(edit.code, edit.row) for edit in verdict.repairs[0].edits] == [
+        ("a_not_zero", 6),
+        ("d_missing", 6),
+    ]
+    assert {entry.code for entry in verdict.feedback} == {"not_equivalent", "length_wrong", "offset_wrong"}
+
+
+@pytest.mark.parametrize("tool", [0, "L0"])
+def test_no_last_row_is_missing_that_is_there(tool: Cell) -> None:
+    """The table ends with a row without a variable, of which a length is wrong."""
+    verdict = _told(KUKA, POINT, (6, "d", tool), (7, "a", "L0"))
+    assert "row_missing" not in [entry.code for entry in verdict.feedback]
+    assert 7 in {entry.row for entry in verdict.feedback}
