@@ -24,6 +24,7 @@ CACHED_VERDICTS = 512  # Verdicts in the cache: a class hands in the same few an
 CACHED_DIAGNOSES = 64
 """Diagnoses in the cache: an answer is told by one level of help and written down by another."""
 USUAL = Weights()
+ROW_TO_THE_POINT = "fixed_row_missing"
 
 
 def grade(
@@ -157,7 +158,7 @@ def _diagnosed(
         again = _decided(reference, filled, policy, parameters)
         if not isinstance(again, Verdict):
             other = diagnosis(again, (reference, filled), policy, weights)
-            if other.repairs and len(other.repairs[0].changes) == 1:
+            if other.repairs and _are_as_likely(other.repairs, found.repairs):
                 return replace(other, score=found.score), again.comparison, with_it
     return found, decided.comparison, kept
 
@@ -170,13 +171,20 @@ def _row_left_zero(repairs: Sequence[Repaired], kept: Sequence[int], rows: int) 
         kept: the number of each of its rows in the whole table.
         rows: how many rows that has.
     """
-    singles = [repair.changes[0] for repair in repairs if len(repair.changes) == 1]
-    missing = next((change for change in singles if change.code == "fixed_row_missing"), None)
+    changes = [change for repair in repairs for change in repair.changes]
+    missing = next((change for change in changes if change.code == ROW_TO_THE_POINT), None)
     if missing is None:
         return ()
     place = missing.places[0][0]
     start = kept[place - 1] + 1 if place else 0
     return tuple(range(start, kept[place] if place < len(kept) else rows))[:1]
+
+
+def _are_as_likely(repairs: Sequence[Repaired], others: Sequence[Repaired]) -> bool:
+    """Whether repairs of a table with a row of zeros are as likely as those without: none is missing then."""
+    if any(change.code == ROW_TO_THE_POINT for change in others[0].changes):
+        return True
+    return len(repairs[0].changes) <= len(others[0].changes)
 
 
 def _row_without_its_variable(

@@ -14,7 +14,7 @@ from exercises.grading.edits.own_table import is_length_of
 from exercises.grading.edits.work import Work
 from exercises.grading.facts import NEARLY
 from exercises.grading.judging.typed import Place
-from kinematics.equivalence import ToolRule
+from kinematics.equivalence import ToolRule, ZeroRule
 from kinematics.equivalence.batches import CellChange
 from kinematics.se3 import cross, norm
 from kinematics.table import CELLS, VARIABLE_CELLS, Convention, DHRow, JointType, NumericRow, NumericTable
@@ -195,14 +195,11 @@ def row_left_out(work: Work) -> Iterator[Change]:
 
 
 def fixed_row_left_out(work: Work) -> Iterator[Change]:
-    """Insert a last row without a variable, which the marked point or the tool frame needs.
-
-    To the point one such row leads, and what is wrong then is in that which is there.
-    """
-    rule, last = work.policy.tool, work.table.rows[-1].joint
+    """Insert a last row without a variable, which the marked point or the tool frame needs."""
+    rule = work.policy.tool
     if rule not in (ToolRule.POINT, ToolRule.FRAME) or not work.has_the_joints():
         return
-    if rule is ToolRule.POINT and last is JointType.FIXED:
+    if rule is ToolRule.POINT and _leads_to_a_point(work):
         return
     angles = RIGHT_ANGLES if work.policy.tool is ToolRule.FRAME else RIGHT_ANGLES[:1]
     place = len(work.table.rows)
@@ -214,6 +211,17 @@ def fixed_row_left_out(work: Work) -> Iterator[Change]:
     for change in _put_in(work, "fixed_row_missing", place, JointType.FIXED, angles):
         for theta in angles:
             yield change._replace(cells=(*change.cells, (place, "theta", theta)))
+
+
+def _leads_to_a_point(work: Work) -> bool:
+    """Whether the last row leads to the marked point, or is meant to: what is wrong then stands in it.
+
+    That is a row without a variable; or a standard one that moves along x, which its joint turns anywhere.
+    """
+    last = work.table.rows[-1]
+    if last.joint is not JointType.REVOLUTE or not last.a:
+        return last.joint is JointType.FIXED
+    return work.table.convention is Convention.STANDARD and work.policy.zero is ZeroRule.FREE
 
 
 def _forgotten(work: Work) -> NumericRow | None:

@@ -77,3 +77,24 @@ def test_no_last_row_is_missing_that_is_there(tool: Cell) -> None:
     verdict = _told(KUKA, POINT, (6, "d", tool), (7, "a", "L0"))
     assert "row_missing" not in [entry.code for entry in verdict.feedback]
     assert 7 in {entry.row for entry in verdict.feedback}
+
+
+def test_two_lengths_of_the_last_joint_are_told_and_no_row_behind_it() -> None:
+    """A last row would have to take back the length that should not be there."""
+    key: Rows = [(-90, "a1", "d1", "q1"), (0, "a2", 0, "q2"), (0, 0, "d3", "q3")]
+    answer: Rows = [*key[:2], (0, "a1", 0, "q3")]
+    verdict = grade(read("standard", key, "deg"), read("standard", answer, "deg"), POINT)
+    assert [(edit.code, edit.row) for edit in verdict.repairs[0].edits] == [
+        ("a_not_zero", 3),
+        ("d_missing", 3),
+    ]
+    assert "row_missing" not in [entry.code for entry in verdict.feedback]
+
+
+@pytest.mark.parametrize("wrong", [(2, "d", "L1"), (2, "alpha", 0), (3, "a", "L1")])
+def test_beside_another_mistake_a_last_row_of_zeros_lacks_its_length(wrong: tuple[int, str, Cell]) -> None:
+    """A row was said to be missing behind it."""
+    key: Rows = [(0, 0, 0, "q1"), (90, "L1", 0, "q2"), (0, "L2", 0, "q3"), (0, "L3", 0, 0)]
+    verdict = _told(key, POINT, wrong, (4, "a", 0))
+    assert ("a_missing", 4) in [(edit.code, edit.row) for edit in verdict.repairs[0].edits]
+    assert "row_missing" not in [entry.code for entry in verdict.feedback]
