@@ -277,7 +277,7 @@ def _halves(work: Work, trials: Iterable[Trial], *, keeping: bool = False) -> li
 
 def _nearer(work: Work, here: Trial | None, catalogue: Catalogue = changes_of) -> list[Trial]:
     """The edits of a catalogue that bring the table nearer to the key, so that one more may mend it."""
-    most = None if here is None else max(here.failing - 1, 0)
+    most = None if here is None else max(here.failing - 1, int(here.scope.angular))
     made = tried(work, catalogue, most_failing=most)
     first = [trial for trial in made if trial.scope.meet and _is_nearer(trial, here)]
     first.sort(key=lambda trial: (trial.failing, trial.misplaced, RANKS[trial.change.code]))
@@ -287,6 +287,8 @@ def _nearer(work: Work, here: Trial | None, catalogue: Catalogue = changes_of) -
 def _is_nearer(trial: Trial, before: Trial | None) -> bool:
     if before is None or trial.failing < before.failing:
         return True
+    if before.failing == trial.failing == 1 and before.scope.angular and not trial.scope.angular:
+        return True  # axes that are parallel by mistake have no offset: a wrong one shows once they are not
     return trial.failing == before.failing == 0 and trial.misplaced <= before.misplaced
 
 

@@ -98,3 +98,22 @@ def test_beside_another_mistake_a_last_row_of_zeros_lacks_its_length(wrong: tupl
     verdict = _told(key, POINT, wrong, (4, "a", 0))
     assert ("a_missing", 4) in [(edit.code, edit.row) for edit in verdict.repairs[0].edits]
     assert "row_missing" not in [entry.code for entry in verdict.feedback]
+
+
+@pytest.mark.parametrize("row", [3, 5])
+def test_an_offset_beside_a_twist_that_hides_it_is_told_in_its_own_row(row: int) -> None:
+    """Along axes that are parallel by mistake there is no offset: those of two rows were called wrong."""
+    key: Rows = [
+        (-90, "a1", "d1", "q1"),
+        (0, "a2", 0, "q2"),
+        (-90, "a3", 0, "q3"),
+        (90, 0, "d4", "q4"),
+        (-90, 0, 0, "q5"),
+        (0, 0, "d6", "q6"),
+    ]
+    answer = [*key]
+    answer[row - 1] = (0, key[row - 1][1], "a1", f"q{row}")
+    verdict = grade(read("standard", key, "deg"), read("standard", answer, "deg"), POINT)
+    edits = [{(edit.code, edit.row) for edit in repair.edits} for repair in verdict.repairs]
+    assert {("alpha_value", row), ("d_not_zero", row)} in edits
+    assert row + 1 not in {entry.row for entry in verdict.feedback}
