@@ -46,6 +46,7 @@ MOST_ROWS_TOGETHER = 160
 MOST_REPAIRS = 6  # More explanations than these explain nothing.
 DECLARED = (Extent.CELL.value + Extent.ROW.value) / 2
 """A convention is declared once: likelier wrong than a row, less likely than a cell."""
+RANKS_BESIDE = {**RANKS, "a_d_swapped": len(RANKS)}  # Beside another edit it says more than a cell does.
 FEWEST_JOINTS = 3  # Of fewer, three edits make almost anything.
 MOST_JOINTS_APART = 2  # A single edit adds or removes one joint.
 
@@ -280,7 +281,7 @@ def _nearer(work: Work, here: Trial | None, catalogue: Catalogue = changes_of) -
     most = None if here is None else max(here.failing - 1, int(here.scope.angular))
     made = tried(work, catalogue, most_failing=most)
     first = [trial for trial in made if trial.scope.meet and _is_nearer(trial, here)]
-    first.sort(key=lambda trial: (trial.failing, trial.misplaced, RANKS[trial.change.code]))
+    first.sort(key=lambda trial: (trial.failing, trial.misplaced, RANKS_BESIDE[trial.change.code]))
     return first[:MOST_FIRST_EDITS]
 
 

@@ -117,3 +117,19 @@ def test_an_offset_beside_a_twist_that_hides_it_is_told_in_its_own_row(row: int)
     edits = [{(edit.code, edit.row) for edit in repair.edits} for repair in verdict.repairs]
     assert {("alpha_value", row), ("d_not_zero", row)} in edits
     assert row + 1 not in {entry.row for entry in verdict.feedback}
+
+
+def test_beside_a_wrong_length_all_signs_that_mirror_the_arm_are_told() -> None:
+    """Exchanges within row 1 left no room for them: row 3, which is right, was accused alone."""
+    key: Rows = [
+        (90, 0, 0, "q1"),
+        (0, "a2", 0, "q2"),
+        (-90, "a3", "d3", "q3"),
+        (90, 0, "d4", "q4"),
+        (-90, 0, 0, "q5"),
+        (0, 0, 0, "q6"),
+    ]
+    answer: Rows = [(90, "a2", 0, "q1"), *key[1:3], (90, 0, "-d4", "q4"), *key[4:]]
+    verdict = grade(read("standard", key, "deg"), read("standard", answer, "deg"), Policy())
+    told = [(entry.code, entry.row) for entry in verdict.feedback]
+    assert told[1:] == [("length_wrong", 1), ("one_of_these", None), ("sign_wrong", 3), ("sign_wrong", 4)]
