@@ -1,8 +1,8 @@
 """Matrices as students write them: a 4×4 of cells, in the table's variables and in short forms."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
-from typing import TypeAlias, cast
+from typing import Any, TypeAlias, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -84,12 +84,7 @@ def read_known_matrix(cells: CellMatrix, reading: Reading, *where: str | int) ->
     known = None if read is None else _in_known_names(read, reading, *where)
     if known is None or not known.decimal:
         return known
-
-    def read_again(texts: Sequence[str]) -> tuple[Expression, ...] | None:
-        return read_row(texts, replace(reading, faults=[]))
-
-    pairs = [(cells[r][c], known.entries[r][c]) for r, c in sorted(known.decimal)]
-    rounded = roundings(pairs, (), read_again)
+    rounded = roundings_in(((cells[r][c], known.entries[r][c]) for r, c in sorted(known.decimal)), reading)
     return replace(known, rounded=rounded) if rounded else known
 
 
@@ -126,6 +121,17 @@ def read_row(
     ]
     row = tuple(entry for entry in own if entry is not None)
     return row if len(row) == len(own) else None
+
+
+def roundings_in(
+    cells: Iterable[tuple[Any, Expression]],
+    reading: Reading,
+    rates: Collection[str] = (),
+    names: Collection[str] = (),
+) -> dict[Expression, tuple[Expression, ...]]:
+    """Return entries with their decimals moved, as `roundings`; they are read again as `read_row` reads."""
+    again = replace(reading, faults=[])
+    return roundings(cells, rates, lambda texts: read_row(texts, again, names=names))
 
 
 def read_numbers(cells: CellMatrix, reading: Reading, *where: str) -> NDArray[np.float64] | None:

@@ -132,18 +132,19 @@ class FindMistakeType(MistakeType[MistakePart, FoundMistakeCells, FoundMistake])
     def right(self, part: MistakePart, context: Context) -> FoundMistakeCells:
         """Return the planted mistake and the key's row."""
         found: Planted = context.instance.drawn[self.kind]
-        row = written_table(context.reference).rows[found.row]
-        cells = tuple(getattr(row, cell) for cell, _ in columns_of(found.table))
-        return FoundMistakeCells(
-            row=found.row + 1, name=found.code, mended=(cells[0], cells[1], cells[2], cells[3])
-        )
+        mended = _written_row(context.reference, found.row)
+        return FoundMistakeCells(row=found.row + 1, name=found.code, mended=mended)
 
     def left_as_shown(self, right: FoundMistakeCells, instance: Instance) -> FoundMistakeCells:
         """Return the row as it was."""
         found: Planted = instance.drawn[self.kind]
-        row = written_table(found.table).rows[found.row]
-        cells = tuple(getattr(row, cell) for cell, _ in columns_of(found.table))
-        return replace(right, mended=(cells[0], cells[1], cells[2], cells[3]))
+        return replace(right, mended=_written_row(found.table, found.row))
+
+
+def _written_row(read: ReadTable, row: int) -> tuple[Cell, Cell, Cell, Cell]:
+    cells = written_table(read).rows[row]
+    first, second, third, fourth = (getattr(cells, cell) for cell, _ in columns_of(read))
+    return first, second, third, fourth
 
 
 def _mended(

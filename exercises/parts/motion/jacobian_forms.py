@@ -12,8 +12,7 @@ from itertools import chain as in_turn
 
 from exercises.definition import Exercise
 from exercises.instance import Instance
-from exercises.parts.cells.exactness import roundings
-from exercises.parts.cells.matrix_cells import read_row, write_matrix
+from exercises.parts.cells.matrix_cells import read_row, roundings_in, write_matrix
 from exercises.parts.context import Context
 from exercises.parts.given_table import given_table
 from exercises.parts.motion.jacobian_cells import (
@@ -136,11 +135,7 @@ class JacobianFormType(JacobianType[JacobianFormPart, JacobianForm]):
         jacobian = tuple(row for row in read if row is not None)
         typed = in_turn.from_iterable((*(raw.jacobian or ()), raw.forces or ()))
         meant = in_turn.from_iterable((*jacobian, forces or ()))
-
-        def read_again(texts: Sequence[str]) -> tuple[Expression, ...] | None:
-            return read_row(texts, replace(reading, faults=[]), names=COMPONENTS)
-
-        rounded = roundings(zip(typed, meant, strict=True), COMPONENTS, read_again)
+        rounded = roundings_in(zip(typed, meant, strict=True), reading, COMPONENTS, COMPONENTS)
         if raw.order is not None:
             jacobian = raw.order.linear_first(jacobian)
         return JacobianForm(jacobian=jacobian or None, forces=forces, rounded=rounded)

@@ -1,11 +1,10 @@
 """The equations of motion as they are typed, and the functions that they mean."""
 
-from collections.abc import Collection, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Collection
+from dataclasses import dataclass
 from typing import Annotated, Any
 
-from exercises.parts.cells.exactness import roundings
-from exercises.parts.cells.matrix_cells import read_row
+from exercises.parts.cells.matrix_cells import read_row, roundings_in
 from exercises.parts.protocol import Length, Reading
 from kinematics.answers.dynamics_verdicts import EquationsAnswer
 from kinematics.cells import Cell
@@ -61,8 +60,4 @@ def read_motion(raw: MotionCells, reading: Reading, weights: Collection[str]) ->
         reading.fault("motion_empty")
     if reading.faults:
         return None
-
-    def read_again(texts: Sequence[str]) -> tuple[Expression, ...] | None:
-        return read_row(texts, replace(reading, faults=[]), names=names)
-
-    return EquationsAnswer(**found, rounded=roundings(cells, rates, read_again))
+    return EquationsAnswer(**found, rounded=roundings_in(cells, reading, rates, names))

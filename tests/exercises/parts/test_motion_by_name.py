@@ -107,7 +107,7 @@ def test_a_fraction_that_was_typed_is_exact() -> None:
 def test_an_answer_of_very_many_decimals_is_read_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """To read each cell anew for each decimal in it took seconds."""
     rows = 0
-    module = import_module("exercises.parts.motion.motion_cells")
+    module = import_module("exercises.parts.cells.matrix_cells")
     read_row = module.read_row
 
     def counted(*given: Any, **named: Any) -> Any:
@@ -115,7 +115,8 @@ def test_an_answer_of_very_many_decimals_is_read_once(monkeypatch: pytest.Monkey
         rows += 1
         return read_row(*given, **named)
 
-    monkeypatch.setattr(module, "read_row", counted)
+    for each in (module, import_module("exercises.parts.motion.motion_cells")):
+        monkeypatch.setattr(each, "read_row", counted)
     cells = iter(["+".join(f"0.{100 + 61 * i + k}*L1" for k in range(60)) for i in range(4)])
     answer = replace(ANSWER, mass=((next(cells), next(cells)), (next(cells), next(cells))))
     assert not earned(answer, "1")[0]
