@@ -24,7 +24,8 @@ from kinematics.errors import DescriptionError, Fault
 from kinematics.evaluation.plan import plan_of
 from kinematics.evaluation.recurrences import joint_axes
 from kinematics.forward import end_pose
-from kinematics.frames.assignment import FrameAssignment, assign_frames
+from kinematics.frames.assigned_frames import FrameAssignment
+from kinematics.frames.assignment import assign_frames
 from kinematics.frames.axes import JointAxis
 from kinematics.frames.parallels import NearParallel
 from kinematics.joint_values import one_configuration

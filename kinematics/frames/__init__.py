@@ -9,6 +9,7 @@ levels       where the origins stand along parallel axes
 directions   which way the x axes point
 exactness    right angles and short decimals come out exact
 assignment   the whole procedure
+assigned_frames  what it makes: frames with their rules, and the table
 remarks      what a caller should know about an assignment that succeeded
 advice       what would make a table simpler
 rounding     frames that students rounded

@@ -5,7 +5,8 @@ from typing import Any
 
 from pydantic import Field
 
-from kinematics.frames.assignment import Freedom, Rule, assign_frames
+from kinematics.frames.assigned_frames import Freedom, Rule
+from kinematics.frames.assignment import assign_frames
 from kinematics.frames.axes import Gripper
 from kinematics.frames.candidates import CandidateKind
 from kinematics.frames.chosen_frames import ChosenFrame

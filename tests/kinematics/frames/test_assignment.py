@@ -8,7 +8,8 @@ import pytest
 
 from kinematics.errors import DescriptionError, PoseError
 from kinematics.forward import forward_kinematics
-from kinematics.frames.assignment import Freedom, Rule, assign_frames
+from kinematics.frames.assigned_frames import Freedom, Rule
+from kinematics.frames.assignment import assign_frames
 from kinematics.frames.axes import Gripper, JointAxis, gripper_frame
 from kinematics.frames.directions import CrossProduct, LengthSigns
 from kinematics.frames.exactness import exact_table
