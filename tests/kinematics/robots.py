@@ -2,6 +2,8 @@
 
 import math
 
+from kinematics import catalogue
+from kinematics.cells import bind_parameters
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable
 
 RIGHT = math.pi / 2
@@ -16,6 +18,12 @@ def numeric(convention: Convention, *rows: tuple[str, float, float, float, float
             for joint, alpha, a, d, theta in rows
         ),
     )
+
+
+def listed_numbers(robot_id: str) -> NumericTable:
+    """A robot of the catalogue, with the values that it brings along."""
+    robot = catalogue.robot(robot_id)
+    return bind_parameters(robot.table, robot.parameters)
 
 
 # P. I. Corke and B. Armstrong-Hélouvry, A search for consensus among model parameters reported for the PUMA

@@ -8,10 +8,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinematics import catalogue
-from kinematics.cells import bind_parameters
 from kinematics.ellipsoids import velocity_ellipsoids
 from kinematics.jacobian import jacobian
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable
+from tests.kinematics.robots import listed_numbers
 
 NAMES = sorted(robot.id for robot in catalogue.robots())
 
@@ -23,11 +23,6 @@ def two_links(first: float, second: float) -> NumericTable:
             DHRow(joint=JointType.REVOLUTE, theta=0.0, d=0.0, a=a, alpha=0.0) for a in (first, second)
         ),
     )
-
-
-def numeric(name: str) -> NumericTable:
-    robot = catalogue.robot(name)
-    return bind_parameters(robot.table, robot.parameters)
 
 
 def test_a_stretched_planar_arm_moves_across_itself_and_not_along() -> None:
@@ -46,7 +41,7 @@ def test_equal_links_at_the_best_elbow_are_isotropic() -> None:
 @given(data=st.data())
 @pytest.mark.parametrize("name", NAMES)
 def test_every_motion_of_unit_rates_lies_in_the_ellipsoids(name: str, data: st.DataObject) -> None:
-    table = numeric(name)
+    table = listed_numbers(name)
     numbers = st.floats(-3, 3, allow_subnormal=False)
     n = table.n_joints
     q = data.draw(st.lists(numbers, min_size=n, max_size=n))
@@ -67,6 +62,6 @@ def test_every_motion_of_unit_rates_lies_in_the_ellipsoids(name: str, data: st.D
 
 
 def test_the_wrist_singularity_of_the_puma_blocks_one_motion() -> None:
-    table = numeric("puma560")
+    table = listed_numbers("puma560")
     assert len(velocity_ellipsoids(table, np.radians([0, 45, -180, 0, 45, 0])).blocked) == 0
     assert len(velocity_ellipsoids(table, np.radians([0, 45, -180, 0, 0, 0])).blocked) == 1

@@ -6,23 +6,17 @@ import numpy as np
 import pytest
 
 from kinematics import catalogue, end_pose, end_poses
-from kinematics.cells import bind_parameters
 from kinematics.errors import JointValueError, PoseError, TableError
 from kinematics.table import Convention, DHTable, JointType
 from kinematics.workspace import coordinate_ascent, workspace
 from kinematics.workspace.spans import joint_spans, spread
-from tests.kinematics.robots import PRISMATIC_ENDS, PUMA560, SCARA_RRPR, numeric
+from tests.kinematics.robots import PRISMATIC_ENDS, PUMA560, SCARA_RRPR, listed_numbers, numeric
 
 RIGHT = math.pi / 2
 
 
 def planar(*lengths):
     return numeric(Convention.STANDARD, *(("revolute", 0.0, length, 0.0, 0.0) for length in lengths))
-
-
-def numbers(robot_id):
-    listed = catalogue.robot(robot_id)
-    return bind_parameters(listed.table, listed.parameters)
 
 
 def radii(found):
@@ -85,7 +79,7 @@ def test_the_desktop_arm_and_its_printed_radii():
     forearm and hand hang straight down (q3 = −q2), with the upper arm upright.
     Nothing else keeps it away.
     """
-    dmra = numbers("dmra")
+    dmra = listed_numbers("dmra")
     found = workspace(dmra)
     far = 45 + 115 + math.hypot(20, 130) + 50
     assert found.outer.axis.value == pytest.approx(far, rel=1e-12)
@@ -101,7 +95,7 @@ def test_the_desktop_arm_and_its_printed_radii():
 
 @pytest.mark.parametrize("robot_id", catalogue.robot_ids())
 def test_no_sample_lies_outside_and_every_radius_is_there(robot_id):
-    table = numbers(robot_id)
+    table = listed_numbers(robot_id)
     limits = [(-0.2, 0.6) if kind is JointType.PRISMATIC else None for kind in table.joint_types]
     found = workspace(table, limits, samples=50)
     rng = np.random.default_rng(3)
@@ -155,15 +149,15 @@ def test_a_base_moves_the_box_alone_and_a_tool_moves_the_point():
 @pytest.mark.parametrize("robot_id", ["kr100p", "kr125", "kr2150k", "scorbot"])
 def test_the_section_is_upright_whichever_way_the_first_joint_counts(robot_id):
     """The KUKA arms of document 001 turn about an axis that points down."""
-    found = workspace(numbers(robot_id), samples=20)
+    found = workspace(listed_numbers(robot_id), samples=20)
     np.testing.assert_allclose(found.section[:, 1], found.points[:, 2], atol=1e-12)
-    found = workspace(numbers(robot_id), base=np.diag([1.0, -1.0, -1.0, 1.0]), samples=20)
+    found = workspace(listed_numbers(robot_id), base=np.diag([1.0, -1.0, -1.0, 1.0]), samples=20)
     np.testing.assert_allclose(found.section[:, 1], found.points[:, 2], atol=1e-12)
 
 
 def test_along_a_level_axis_heights_have_the_sense_of_its_joint():
     lying = np.eye(4)[[0, 2, 1, 3]] * [1.0, 1.0, -1.0, 1.0]
-    found = workspace(numbers("scorbot"), base=lying, samples=20)
+    found = workspace(listed_numbers("scorbot"), base=lying, samples=20)
     np.testing.assert_allclose(found.section[:, 1], -found.points[:, 1], atol=1e-12)
 
 

@@ -10,12 +10,7 @@ from hypothesis.extra import numpy as arrays
 
 from service.http.npy import npy_data, npy_header, read_npy
 from service.http.problems import BodyError
-
-
-def saved(array: np.ndarray, **options: object) -> bytes:
-    stream = io.BytesIO()
-    np.save(stream, array, **options)
-    return stream.getvalue()
+from tests.service.test_bad_input import saved
 
 
 def with_header(text: str, data: bytes = b"", version: tuple[int, int] = (1, 0)) -> bytes:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from tests.service.asking import answered
+from tests.service.oracle import shift, turn
 
 URL = "/api/v1/trees"
 ROWS: list[dict[str, Any]] = [
@@ -27,19 +28,6 @@ def asked(client: httpx.Client, **changes: Any) -> Any:
     return answered(client, URL, BODY | changes)
 
 
-def turn(axis: str, degrees: float) -> np.ndarray:
-    c, s, T = math.cos(math.radians(degrees)), math.sin(math.radians(degrees)), np.eye(4)
-    i, j = (0, 1) if axis == "z" else (1, 2)
-    T[i, i], T[i, j], T[j, i], T[j, j] = c, -s, s, c
-    return T
-
-
-def shift(axis: str, length: float) -> np.ndarray:
-    T = np.eye(4)
-    T["xyz".index(axis), 3] = length
-    return T
-
-
 def by_hand(joints: list[float]) -> list[np.ndarray]:
     """Every frame as the product of six elementary motions, parameters written out."""
     q1, q2, q3, q4, q5 = joints
@@ -55,11 +43,11 @@ def by_hand(joints: list[float]) -> list[np.ndarray]:
     for after, gamma, b, alpha, a, theta, d in rows:
         frames.append(
             frames[after]
-            @ turn("z", gamma)
+            @ turn("z", math.radians(gamma))
             @ shift("z", b)
-            @ turn("x", alpha)
+            @ turn("x", math.radians(alpha))
             @ shift("x", a)
-            @ turn("z", theta)
+            @ turn("z", math.radians(theta))
             @ shift("z", d)
         )
     return frames[1:]

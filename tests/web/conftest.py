@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
+import httpx
 import pytest
 from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Page, expect, sync_playwright
 
@@ -58,6 +59,12 @@ def web() -> Iterator[str]:
     """
     with running(Settings(frame_ancestors=("*",), symbolic_seconds=60.0)) as origin:
         yield origin
+
+
+@pytest.fixture(scope="module")
+def client(web: str) -> Iterator[httpx.Client]:
+    with httpx.Client(base_url=web, timeout=120) as connected:
+        yield connected
 
 
 @pytest.fixture(scope="package")

@@ -2,7 +2,6 @@
 
 import gzip
 import re
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote_plus, urljoin
@@ -18,12 +17,6 @@ from tests.live_service import running
 from tests.web.conftest import LANGUAGES
 
 ADDRESS = re.compile(r'(?:href|src|action)="([^"]+)"')
-
-
-@pytest.fixture(scope="module")
-def client(web: str) -> Iterator[httpx.Client]:
-    with httpx.Client(base_url=web, timeout=120) as connected:
-        yield connected
 
 
 def test_every_language_of_the_messages_has_a_name(client: httpx.Client) -> None:

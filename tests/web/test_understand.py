@@ -1,17 +1,10 @@
 """POST /understand: what the table editor shows beneath each cell."""
 
 import math
-from collections.abc import Iterator
 from typing import Any
 
 import httpx
 import pytest
-
-
-@pytest.fixture(scope="module")
-def client(web: str) -> Iterator[httpx.Client]:
-    with httpx.Client(base_url=web, timeout=120) as connected:
-        yield connected
 
 
 def row(joint: str | None = "revolute", **cells: Any) -> dict[str, Any]:

@@ -18,14 +18,14 @@ from exercises.parts.forward.workspace import RadiiCells
 from exercises.parts.motion.screws import ScrewsCells
 from exercises.parts.report import Credit
 from exercises.selftest.checks import check
-from kinematics import catalogue
 from kinematics.answers.screw_answers import ScrewFrame, ScrewOrder
 from kinematics.cells import bind_parameters
 from kinematics.forward import forward_kinematics
-from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable
+from kinematics.table import Convention, DHRow, DHTable, JointType
 from tests.exercises.answering import SCARA, codes, judged, part, table
 from tests.exercises.folders import changed, folder
 from tests.exercises.packaged import exercise
+from tests.kinematics.robots import listed_numbers
 
 R, P = JointType.REVOLUTE, JointType.PRISMATIC
 ZERO = (0.0, 0.0, 0.0)
@@ -42,16 +42,11 @@ PUMA = Schematic(
 )
 
 
-def numbers(robot_id: str) -> NumericTable:
-    robot = catalogue.robot(robot_id)
-    return bind_parameters(robot.table, robot.parameters)
-
-
 # the structure
 
 
 def test_the_structure_of_the_puma() -> None:
-    assert schematic_of(numbers("puma560")) == PUMA
+    assert schematic_of(listed_numbers("puma560")) == PUMA
 
 
 @pytest.mark.parametrize(
@@ -255,7 +250,7 @@ def test_a_pose_in_millimetres_beside_a_table_in_metres() -> None:
     )
     dmra = table("standard", *rows, (0, 0, "d6", "q6"), length="m")
     joints = [math.radians(v) for v in (30, -60, 45, 90, -45, 60)]
-    pose = forward_kinematics(numbers("dmra"), joints).transform
+    pose = forward_kinematics(listed_numbers("dmra"), joints).transform
     assert part(judged("dmra", table=dmra, pose=pose.tolist()), "pose").correct
     pose[:3, 3] /= 1000
     assert part(judged("dmra", table=dmra, pose=pose.tolist()), "pose").correct
@@ -349,7 +344,7 @@ def test_radii_in_another_unit() -> None:
 
 def test_the_desktop_arm_reaches_as_far_as_its_document_says() -> None:
     """Seed 003 prints 340 mm: 45 + 115 + hypot(20, 130) + 50 = 341.5 mm from the first axis."""
-    found = reach(numbers("dmra"), ZERO, ZERO, (0.0, 0.0, 1.0), (None,) * 6)
+    found = reach(listed_numbers("dmra"), ZERO, ZERO, (0.0, 0.0, 1.0), (None,) * 6)
     assert found.outer == pytest.approx(45 + 115 + math.hypot(20, 130) + 50, rel=1e-9)
     assert abs(found.outer - 340) < 2
 
@@ -359,7 +354,7 @@ def test_the_desktop_arm_reaches_as_far_as_its_document_says() -> None:
     seed=st.integers(0, 10_000), robot_id=st.sampled_from(["puma560", "stanford", "scara", "kr100p", "uw"])
 )
 def test_no_configuration_lies_outside_the_radii(seed: int, robot_id: str) -> None:
-    robot = numbers(robot_id)
+    robot = listed_numbers(robot_id)
     rng = np.random.default_rng(seed)
     limits = [None if kind is R and rng.random() < 0.5 else (-0.7, 0.4) for kind in robot.joint_types]
     spans = [limit or (-math.pi, math.pi) for limit in limits]
@@ -378,5 +373,5 @@ def test_no_configuration_lies_outside_the_radii(seed: int, robot_id: str) -> No
 
 def test_a_slide_without_limits_rests() -> None:
     rests = (*(None,) * 2, (0.0, 0.0), *(None,) * 3)
-    free = reach(numbers("stanford"), ZERO, ZERO, None, (None,) * 6)
-    assert free == reach(numbers("stanford"), ZERO, ZERO, None, rests)
+    free = reach(listed_numbers("stanford"), ZERO, ZERO, None, (None,) * 6)
+    assert free == reach(listed_numbers("stanford"), ZERO, ZERO, None, rests)
