@@ -16,6 +16,7 @@ degree         whether solutions can be all there are
 self_motions   families of solutions, and solutions that stand alone
 limits         turns of a joint into its range
 solver         one target, of an arm made ready
+telling        its solutions with their errors, or the pose that comes nearest
 solve          an arm made ready
 batch          many targets
 

@@ -15,16 +15,12 @@ from kinematics.inverse.methods.closed_form import InverseClosedForm, candidates
 from kinematics.inverse.methods.locked import LockedArms, locked_arms_of
 from kinematics.inverse.methods.wrist_scalars import ClearWrist
 from kinematics.inverse.refinement import refined, settled_on_folds, solutions_of
-from kinematics.inverse.residuals import errors_of, pose_errors
 from kinematics.inverse.results import (
     Family,
     IKSolution,
     IKStatus,
     InverseKinematics,
-    Isolation,
     Method,
-    NearestPose,
-    UnreachableReason,
 )
 from kinematics.inverse.scaled_lengths import answer_from_unit, arm_in_unit, box_in_unit, goal_in_unit
 from kinematics.inverse.search import MOST_ISOLATED, Bounds, Box, SearchResult, search
@@ -34,11 +30,10 @@ from kinematics.inverse.self_motions.families import Follower
 from kinematics.inverse.self_motions.isolation import told_apart
 from kinematics.inverse.self_motions.membership import Component
 from kinematics.inverse.self_motions.ranges import families_within
+from kinematics.inverse.telling import told_solutions, unreachable
 from kinematics.inverse.valleys import in_valleys, low_points
 from kinematics.se3 import Transform
 from kinematics.table import NumericTable
-
-MOST_SOLUTIONS = 64  # Of a search no more solutions than this are returned.
 
 _SMALL = SEARCHED / LARGEST_TOLERANCE
 """Size [m] below which a search's tolerance runs the solutions of an arm into each other: what brings its
@@ -245,39 +240,10 @@ class Solver:
             status=IKStatus.SINGULAR if most > arm.redundancy else IKStatus.SOLVED,
             complete=whole,
             method=method,
-            solutions=self._told(found, goal.pose),
+            solutions=told_solutions(arm, found, goal.pose),
             outside_limits=outside + len(parts) - reached,
             tolerance=goal.tolerance,
         )
-
-    def _told(self, found: list[tuple[Array, Family | None]], pose: Transform) -> tuple[IKSolution, ...]:
-        """Solutions with their errors, the one with the smallest joint values first.
-
-        Where there are too many, members of families that were not followed are left out.
-        """
-        mere = [family is not None and not family.parameters for _, family in found]
-        found = [found[i] for i in np.argsort(mere, kind="stable")[:MOST_SOLUTIONS].tolist()]
-        joints = np.array([q for q, _ in found])
-        position, angle = self._errors(self.arm.frames(joints)[-1], pose)
-        order = np.argsort(np.abs(joints / self.arm.units).sum(axis=1), kind="stable")
-        values, distances, angles = joints.tolist(), position.tolist(), angle.tolist()
-        return tuple(
-            IKSolution(
-                joints=tuple(values[i]),
-                position_error=distances[i],
-                orientation_error=angles[i],
-                isolation=Isolation.ISOLATED if found[i][1] is None else Isolation.CONTINUUM,
-                family=found[i][1],
-            )
-            for i in order.tolist()
-        )
-
-    def _errors(self, poses: Array, pose: Transform) -> tuple[Array, Array]:
-        """Distances [m] and angles [rad] from the target, of what has to reach it."""
-        if self.arm.reach is ArmReach.POSE:
-            return pose_errors(poses, pose)
-        errors = errors_of(self.arm, poses, pose)
-        return self.arm.size * np.linalg.norm(errors[:, :3], axis=1), np.linalg.norm(errors[:, 3:], axis=1)
 
     def _searched(self, goal: Goal) -> InverseKinematics:
         """The result of a search: solutions within the limits, outside them, or the nearest pose."""
@@ -304,7 +270,7 @@ class Solver:
             outside = len(components_of(self.arm, goal.pose, freely.solutions, goal.tolerance))
             method = Method.SEARCH if outside else method
             if not self.box.limited:
-                return self._unreachable(goal, freely.nearest, 0, method)
+                return unreachable(self.arm, self.box, goal, freely.nearest, 0, method)
         return self._search_within_limits(goal, outside, method)
 
     def _search(self, goal: Goal, bounds: Bounds) -> SearchResult:
@@ -327,26 +293,4 @@ class Solver:
         if not outside and self.arm.redundancy:
             freely = self._search(goal, Bounds.IGNORED)
             outside = len(components_of(self.arm, goal.pose, freely.solutions, goal.tolerance))
-        return self._unreachable(goal, found.nearest, outside, method)
-
-    def _unreachable(self, goal: Goal, nearest: Array, outside: int, method: Method) -> InverseKinematics:
-        """The result without solutions, but with the configuration that comes nearest."""
-        wrapped, _ = within_limits(nearest[None], self.arm.revolute, self.box, self.arm.size)
-        transform = self.arm.frames(wrapped)[-1, 0]
-        position, angle = self._errors(transform[None], goal.pose)
-        return InverseKinematics(
-            status=IKStatus.UNREACHABLE,
-            complete=method is Method.CLOSED_FORM,
-            method=method,
-            solutions=(),
-            nearest=NearestPose(
-                joints=tuple(wrapped[0].tolist()),
-                transform=transform,
-                position_error=float(position[0]),
-                orientation_error=float(angle[0]),
-                size=self.arm.size,
-            ),
-            reason=UnreachableReason.JOINT_LIMITS if outside else UnreachableReason.OUT_OF_REACH,
-            outside_limits=outside,
-            tolerance=goal.tolerance,
-        )
+        return unreachable(self.arm, self.box, goal, found.nearest, outside, method)
