@@ -118,8 +118,9 @@ class EulerSolutions:
     """Every triple of a sequence that makes a rotation.
 
     Attributes:
-        triples: (first, middle, last) [rad, in (−π, π]]: the two of them; of a locked rotation one member of
-            the family, with the last angle 0.
+        triples: (first, middle, last) [rad, in (−π, π]]: the two of them, first that of textbooks, with its
+            middle angle from 0 to π in proper sequences and from −π/2 to π/2 in the others; of a locked
+            rotation one member of the family, with the last angle 0.
         family: of a locked rotation.
     """
 
@@ -142,8 +143,8 @@ def euler_solutions(rotation: Matrix3, sequence: EulerSequence, lock: float = GI
     sign = 1.0 if (j - i) % 3 == 1 else -1.0
     r = rotation
     if sequence.proper:
-        y, x, level = r[j][i], -r[third][i], math.hypot(r[j][i], r[third][i])
-        middle = sign * math.atan2(level, r[i][i])
+        y, x, level = sign * r[j][i], -sign * r[third][i], math.hypot(r[j][i], r[third][i])
+        middle = math.atan2(level, r[i][i])
     else:
         y, x, level = -r[j][k], r[k][k], math.hypot(r[j][k], r[k][k])
         middle = sign * math.atan2(r[i][k], level)

@@ -5,7 +5,8 @@ rotation about e leaves e where it is; the middle one about b = (a × c) / L wit
 
     ω = a α̇ + b β̇ + c γ̇,    β̇ = b · ω,    γ̇ = (ω - a (a · ω)) · c / L²,    α̇ = a · ω - (a · c) γ̇.
 
-About fixed axes the first and the last change places. The other triple of the same orientation has −b for b.
+About fixed axes the first and the last change places. The other triple of the same orientation has −b for b,
+and of x, y, z, three axes in their cyclic order, −b is that of the one with its middle angle within ±π/2.
 
 Source: B. Siciliano, L. Sciavicco, L. Villani, G. Oriolo, Robotics (2009), section 3.6.
 """
@@ -32,6 +33,8 @@ def analytic_form(
 ) -> Matrix | None:
     """Return the Jacobian of (x, y, z) and the angles in their order, 6 × n; None if they never have rates.
 
+    Of the two triples that make the rotation it is that of `euler_solutions`' first.
+
     Args:
         angles: of the tool in the world.
         base: 4×4 pose of frame 0 in the world; the identity if left out.
@@ -46,6 +49,7 @@ def analytic_form(
     if angles.turning is Turning.FIXED:
         first, last = last, first
     p, q = (first + 1) % 3, (first + 2) % 3
+    before, behind = (q, p) if last == q else (p, q)
     c = [row[last] for row in workings.transform[:3]]
     squared = add((power(c[p], 2), power(c[q], 2)))
     if same_function(squared, ZERO):
@@ -54,7 +58,7 @@ def analytic_form(
 
     def rates(omega: tuple[Expression, ...]) -> tuple[Expression, Expression, Expression]:
         gamma = _product(add((_product(omega[p], c[p]), _product(omega[q], c[q]))), inverse)
-        beta = add((_product(omega[q], c[p]), _product(MINUS_ONE, omega[p], c[q])))
+        beta = add((_product(omega[behind], c[before]), _product(MINUS_ONE, omega[before], c[behind])))
         alpha = add((omega[first], _product(MINUS_ONE, gamma, c[first])))
         return _plain(alpha), _product(_plain(beta), root), _plain(gamma)
 

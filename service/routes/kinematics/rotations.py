@@ -28,7 +28,10 @@ class SequenceAngles(Wire):
 
     axes: str
     turning: Turning
-    triples: list[Vector3] = Field(description="both triples; of a locked orientation one of the family")
+    triples: list[Vector3] = Field(
+        description="both triples, first the one with its middle angle from 0 to π where the first axis is "
+        "also the last, otherwise from −π/2 to π/2; of a locked orientation one of the family"
+    )
     family: FamilyModel | None = Field(description="at gimbal lock")
 
 

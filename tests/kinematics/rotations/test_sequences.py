@@ -55,6 +55,16 @@ def test_every_triple_makes_the_rotation_and_the_given_one_is_among_them(sequenc
         assert near.count(True) == 1
 
 
+@given(EACH, ANGLES, ANGLES, ANGLES)
+def test_the_first_triple_has_the_middle_angle_of_textbooks(sequence, a, b, c) -> None:
+    found = euler_solutions(sequence.matrix((a, b, c)), sequence)
+    middle = found.triples[0][1]
+    if sequence.proper:
+        assert 0.0 <= middle <= math.pi
+    else:
+        assert abs(middle) <= math.pi / 2
+
+
 @given(EACH, ANGLES, ANGLES, st.booleans(), ANGLES)
 def test_a_locked_rotation_has_one_family(sequence, a, c, upper, first) -> None:
     middle = (math.pi if upper else 0.0) if sequence.proper else (0.5 - upper) * math.pi
