@@ -83,7 +83,7 @@ def within_limits(
         (m, n) and (m,).
     """
     if not box.limited and revolute.all():
-        turned = np.abs(q) > np.pi
+        turned = (q > np.pi) | (q <= -np.pi)
         if turned.any():
             q = np.where(turned, q - 2.0 * np.pi * np.ceil((q - np.pi) / (2.0 * np.pi)), q)
         return q, np.ones(len(q), dtype=bool)

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Array
-from kinematics.inverse.methods.wrist_scalars import EXACT, FLIPPED, MARGIN, STILL, ClearWrist
+from kinematics.inverse.methods.wrist_scalars import EXACT, FLIPPED, MARGIN, STILL, UNSEEN, ClearWrist
 from kinematics.inverse.methods.wrist_tapes import run_on_arrays
 
 SOLUTIONS = 8  # Of a target that is clear here: fewer heads than four are left to others.
@@ -151,7 +151,7 @@ def _joints(w: ClearWrist, t1: Array, t2: Array, t3: Array, t4: Array, t5: Array
     joints[2] = _in_range(t3 - o3)[:, :, None]
     for i, t, zero in ((3, t4, o4), (5, t6, o6)):
         joints[i, :, :, 0] = q = _in_range(t - zero)
-        np.add(q, np.copysign(np.pi, 0.0 - q), out=joints[i, :, :, 1])
+        np.add(q, np.copysign(np.pi, UNSEEN - q), out=joints[i, :, :, 1])
     joints[4, :, :, 0], joints[4, :, :, 1] = _in_range(t5 - o5), _in_range(-t5 - o5)
     return found
 

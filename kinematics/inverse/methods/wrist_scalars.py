@@ -52,6 +52,9 @@ MARGIN = 4.0
 
 FLIPPED = 1e-15  # What adding π to two angles leaves of rounding [rad].
 
+UNSEEN = 2.0**-52
+"""Up to here [rad] an angle less π is -π to a double, which is out of range, and the angle plus π is π."""
+
 CLEARLY = 1e-6  # Part of its terms by which a square root's argument is below zero where there is no root.
 
 _LOOKS = 5  # Configurations at which a closed form is tried before it is believed.
@@ -210,7 +213,7 @@ class ClearWrist:
             one = _solution((joints, away + lever * angle, angle, isolated, None))
             found.append((head + ends + abs(q5), one))
             # The wrist's other way makes the same rotation.
-            joints = q1, q2, q3, q4 - pi if q4 > 0.0 else q4 + pi, r5, q6 - pi if q6 > 0.0 else q6 + pi
+            joints = q1, q2, q3, q4 - pi if q4 > UNSEEN else q4 + pi, r5, q6 - pi if q6 > UNSEEN else q6 + pi
             angle += FLIPPED
             one = _solution((joints, away + lever * angle, angle, isolated, None))
             found.append((head + tau - ends + abs(r5), one))

@@ -359,6 +359,28 @@ def test_limits_wrap_turns():
     assert all(-math.pi < value <= math.pi for s in free.solutions for value in s.joints)
 
 
+@pytest.mark.parametrize("shoulder", [0.0, math.pi, -math.pi / 2, 0.3])
+def test_half_a_turn_is_counted_upwards_at_a_folded_elbow(shoulder):
+    """Without limits angles are in (-π, π]."""
+    table = numeric(Convention.STANDARD, *(("revolute", 0.0, a, 0.0, 0.0) for a in (0.5, 0.3)))
+    for reach in (ArmReach.POSE, ArmReach.POSITION):
+        answer = inverse_kinematics(table, end_pose(table, [shoulder, math.pi]), reach=reach)
+        (solution,) = answer.solutions
+        assert all(-math.pi < value <= math.pi for value in solution.joints)
+
+
+def test_half_a_turn_is_counted_upwards_where_a_wrist_flips():
+    """q4 and q6 are 0 but for rounding in one solution, and ±π in the other."""
+    rng = np.random.default_rng(4)
+    q = np.pi / 2 * rng.integers(-1, 3, (300, 6))
+    q[:, (2, 4)] = rng.uniform(0.4, 1.0, (300, 2))
+    targets = end_poses(PUMA560, q)
+    solver = solver_of(PUMA560)
+    one_by_one = np.array([s.joints for target in targets for s in solver.solve(target).solutions])
+    for joints in (one_by_one, solve_many(solver, targets).joints):
+        assert ((joints > -math.pi) & (joints <= math.pi)).all()
+
+
 def test_one_sided_limits():
     target = end_pose(STANFORD, [0.3, 0.7, 0.4, 0.2, 0.6, 0.3])
     both = inverse_kinematics(STANFORD, target)
