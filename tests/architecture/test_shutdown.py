@@ -87,7 +87,7 @@ def connected(address: str) -> socket.socket:
 @contextmanager
 def locked(folder: Path) -> Iterator[None]:
     """Lock the database in a folder as another program may."""
-    with contextlib.closing(sqlite3.connect(folder / FILE_NAME, isolation_level=None)) as other:
+    with contextlib.closing(sqlite3.connect(folder / FILE_NAME, isolation_level=None, timeout=60)) as other:
         other.execute("BEGIN IMMEDIATE")
         yield
 

@@ -141,7 +141,7 @@ class Browser:
         return response
 
 
-def eventually(check: Callable[[], Any], timeout: float = 30.0) -> Any:
+def eventually(check: Callable[[], Any], timeout: float = 120.0) -> Any:
     """What a check finds, once it finds something true."""
     deadline = time.monotonic() + timeout
     while time.monotonic() < deadline:

@@ -348,7 +348,7 @@ def pieces(total: int) -> Iterator[bytes]:
 def test_a_body_too_large_is_refused_with_and_without_its_length() -> None:
     limits = Settings(body_limit=200_000, batch_body_limit=1_000_000)
     headers = {"Content-Type": "application/json"}
-    with running(limits) as url, httpx.Client(base_url=url) as client:
+    with running(limits) as url, httpx.Client(base_url=url, timeout=120) as client:
         check_problem(client.post(FK, content=b" " * 1_000_001, headers=headers), 413, "body_too_large")
         check_problem(client.post(FK, content=pieces(4_000_000), headers=headers), 413, "body_too_large")
         check_problem(client.post(FK, content=b" " * 999_999, headers=headers), 400, "body_missing")

@@ -54,7 +54,7 @@ def test_others_are_served_while_it_is_found_out_which_dimensions_are_needed(
     monkeypatch.setattr(exercise_views, "unneeded_dimensions", noted)
     asked, first = "/api/v1/exercises/scara", {"seed": "of nobody who was here before"}
     with running(Settings(storage="off")) as url:  # a service that has not seen yet how long a visit takes
-        seen = [httpx.get(f"{url}{asked}", params=first).json()["dimensions"] for _ in range(2)]
+        seen = [httpx.get(f"{url}{asked}", params=first, timeout=120).json()["dimensions"] for _ in range(2)]
     assert seen[0] == seen[1]
     assert len(found) == 1
     assert found[0].startswith("limited")
@@ -350,7 +350,10 @@ def test_less_help_may_be_asked_for(client: httpx.Client) -> None:
 
 def test_exercises_of_ones_own_are_served(tmp_path: Path) -> None:
     folder(tmp_path, name="crane")
-    with running(Settings(exercise_folders=(tmp_path,))) as url, httpx.Client(base_url=url) as own:
+    with (
+        running(Settings(exercise_folders=(tmp_path,))) as url,
+        httpx.Client(base_url=url, timeout=120) as own,
+    ):
         assert "crane" in {entry["id"] for entry in own.get("/api/v1/exercises").json()["exercises"]}
         assert own.get("/api/v1/exercises/crane/figure.svg").status_code == 200
         table = {
@@ -386,7 +389,10 @@ def test_a_reader_is_told_the_language_of_a_text_by_its_name() -> None:
 def test_the_page_of_a_text_in_another_language_says_so(tmp_path: Path) -> None:
     """It was said in the answer of the API alone, and the text was read aloud as in the page's language."""
     (folder(tmp_path, name="crane") / "statement.uk.md").unlink()
-    with running(Settings(exercise_folders=(tmp_path,))) as url, httpx.Client(base_url=url) as own:
+    with (
+        running(Settings(exercise_folders=(tmp_path,))) as url,
+        httpx.Client(base_url=url, timeout=120) as own,
+    ):
         note = own.get("/api/v1/exercises/crane?lang=uk").json()["note"]
         translated, other = (own.get(f"/exercises/crane?lang={code}").text for code in ("fr", "uk"))
     assert note in other
@@ -413,7 +419,10 @@ point = "P"
 limits = [[], [-22.5, 120]]
 """
     folder(tmp_path, TWO_LINKS.replace('[[parts]]\nkind = "table"\npoints = 10\n', asked), name="crane")
-    with running(Settings(exercise_folders=(tmp_path,))) as url, httpx.Client(base_url=url) as own:
+    with (
+        running(Settings(exercise_folders=(tmp_path,))) as url,
+        httpx.Client(base_url=url, timeout=120) as own,
+    ):
         for code in ("en", "es", "fr", "pt", "ro", "uk"):
             low = "22.5" if code == "en" else "22,5"
             (part,) = own.get(f"/api/v1/exercises/crane?lang={code}").json()["parts"]

@@ -214,13 +214,16 @@ def test_a_large_batch_of_json_is_one_document(client: httpx.Client) -> None:
 
 def test_batches_that_find_no_place_are_told_to_come_back(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("service.work.batches.PATIENCE", 120.0)
-    with running(Settings(batch_threads=1, batch_queue=0)) as url, httpx.Client(base_url=url) as client:
+    with (
+        running(Settings(batch_threads=1, batch_queue=0)) as url,
+        httpx.Client(base_url=url, timeout=120) as client,
+    ):
         body = {"table": PUMA_560, "joints": [[0] * 6] * 5000}
         with client.stream("POST", PATH, json=body) as first:
             assert first.status_code == 200
             pieces = first.iter_raw()
             next(pieces)
-            with httpx.Client(base_url=url) as other:
+            with httpx.Client(base_url=url, timeout=120) as other:
                 second = other.post(PATH, json=body)
         assert second.status_code == 503
         assert second.json()["code"] == "busy"

@@ -219,7 +219,7 @@ def test_hostile_requests_end_in_time_and_delay_nobody() -> None:
         "formats": ["python", "numpy", "c", "matlab", "javascript"],
         "jacobian": True,
     }
-    with running(settings) as url, httpx.Client(base_url=url, timeout=30) as client:
+    with running(settings) as url, httpx.Client(base_url=url, timeout=120) as client:
         client.post("/api/v1/symbolic", json={"table": PUMA_LENGTHS})
         answers: list[httpx.Response] = []
 

@@ -71,7 +71,7 @@ def test_pages_allow_this_origin_only_and_set_no_cookie(client: httpx.Client, pa
 
 def test_frames_are_refused_where_the_settings_say_so() -> None:
     with running(Settings(frame_ancestors=("'self'", "https://lms.example.edu"))) as origin:
-        policy = httpx.get(origin + "/").headers["content-security-policy"]
+        policy = httpx.get(origin + "/", timeout=120).headers["content-security-policy"]
     assert policy.endswith("frame-ancestors 'self' https://lms.example.edu")
 
 
@@ -95,7 +95,10 @@ def test_a_page_that_does_not_exist_says_so_in_the_readers_language(client: http
 )
 @pytest.mark.parametrize("prefix", ["", "/a/b"])
 def test_a_slash_too_many_is_taken_off(prefix: str, typed: str, meant: str) -> None:
-    with running(Settings(prefix=prefix)) as origin, httpx.Client(follow_redirects=True) as browser:
+    with (
+        running(Settings(prefix=prefix)) as origin,
+        httpx.Client(follow_redirects=True, timeout=120) as browser,
+    ):
         answer = browser.get(origin + prefix + typed, headers={"Accept": "text/html"})
     assert str(answer.url).partition("?")[0] == origin + prefix + meant
     assert answer.url.query.decode() == typed.partition("?")[2]
@@ -198,7 +201,7 @@ def test_text_is_compressed_and_not_sent_twice(client: httpx.Client, path: str) 
      "css", "", "vendor/.complete", "/etc/passwd", "css/base.css%00"],
 )  # fmt: skip
 def test_only_what_is_in_the_folder_is_served(web: str, name: str) -> None:
-    answer = httpx.get(f"{web}/static/x/{name}")
+    answer = httpx.get(f"{web}/static/x/{name}", timeout=120)
     assert answer.status_code == 404
 
 
@@ -233,11 +236,11 @@ def test_messages_are_served_as_the_api_speaks_them(client: httpx.Client) -> Non
 @pytest.mark.parametrize("prefix", ["", "/dh", "/a/b"])
 def test_pages_name_no_prefix_and_need_none(prefix: str) -> None:
     with running(Settings(prefix=prefix)) as origin:
-        page = httpx.get(f"{origin}{prefix}/")
+        page = httpx.get(f"{origin}{prefix}/", timeout=120)
         assert page.status_code == 200
         assert prefix == "" or prefix not in page.text
         style = ADDRESS.findall(page.text)[1]
-        assert httpx.get(urljoin(f"{origin}{prefix}/", style)).status_code == 200
+        assert httpx.get(urljoin(f"{origin}{prefix}/", style), timeout=120).status_code == 200
 
 
 def test_a_page_names_every_module_that_its_script_imports(client: httpx.Client) -> None:

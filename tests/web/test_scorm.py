@@ -76,9 +76,8 @@ def lms(strict: str, tmp_path: Path, request: pytest.FixtureRequest) -> Iterator
     """An LMS on an origin of its own that plays the package of one exercise."""
     version: str = request.param
     names = VERSIONS[version]
-    answer = httpx.get(
-        f"{strict}/api/v1/exercises/twolink/scorm.zip", params={"version": version, "lang": "en"}
-    )
+    address, asked = f"{strict}/api/v1/exercises/twolink/scorm.zip", {"version": version, "lang": "en"}
+    answer = httpx.get(address, params=asked, timeout=120)
     assert answer.headers["content-type"] == "application/zip"
     with zipfile.ZipFile(io.BytesIO(answer.content)) as archive:
         archive.extractall(tmp_path / "package")
