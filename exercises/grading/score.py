@@ -19,7 +19,6 @@ from exercises.grading.standard import (
     shared_across_prismatic,
     standard_of,
     unconfirmed,
-    without_each_gap,
     wrong_of,
 )
 from kinematics.equivalence import Decision, Kind, Policy
@@ -67,7 +66,7 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
         if off > CELL:
             off -= shared_across_prismatic(work, standard)
         if slip is not None and not _is_of_length_or_turn(slip):
-            off = min(off, max(_cost(slip, weights, nothing), _size_across_prismatic(work, standard, slip)))
+            off = min(off, max(_cost(slip, weights, nothing), _size_beside_sign(work, standard, slip)))
         elif slip is not None:
             off = min(off, max(CELL, wrong_of(work, standard) - shared_across_prismatic(work, standard)))
         elif work.excess:
@@ -192,17 +191,13 @@ def _is_of_length_or_turn(change: Change) -> bool:
     )
 
 
-def _size_across_prismatic(work: Work, standard: Standard, slip: Change) -> float:
-    """What another sign of a length costs where it changes a distance across prismatic joints.
+def _size_beside_sign(work: Work, standard: Standard, slip: Change) -> float:
+    """What another sign of a length costs where it changes the size of a fact, and not its sign alone.
 
-    In what rows that distance stands depends on where the prismatic joints were drawn, and whether a sign
-    mends it.
+    In what rows an offset along parallel axes stands, or a distance across prismatic joints, depends on the
+    frames, and whether a sign mends it.
     """
-    if slip.code not in ("a_sign", "d_sign"):
-        return 0.0
-    wrong = wrong_of(work, standard)
-    across = [wrong - wrong_of(work, without) for without in without_each_gap(standard)]
-    return min(CELL, max(across, default=0.0))
+    return min(CELL, wrong_of(work, standard)) if slip.code in ("a_sign", "d_sign") else 0.0
 
 
 def _has_no_more_than_zeros(work: Work, standard: Standard) -> bool:

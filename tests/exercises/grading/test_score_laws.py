@@ -109,6 +109,16 @@ def test_the_other_convention_hides_no_entry_that_the_key_does_not_have() -> Non
     assert score(key, own) == score(key, standard)
 
 
+def test_a_sign_that_makes_an_offset_another_costs_the_same_in_all_frames() -> None:
+    """Axes 2 to 4 are parallel: what one drawing has as a sign in three rows, another has in one row."""
+    arm = [(R, 0, 0.4, 0.3, 0), (R, 0, 0.3, -0.1, 0), (R, HALF, 0.2, 0.2, 0)]
+    key = tables.standard((R, HALF, 0.2, 0.1, 0), *arm, (R, 0, 0.1, 0.2, 0))
+    sign, one_row = tables.changed(key, 3, d=0.1), key
+    for row, d in ((2, 0.6), (3, 0.0), (4, 0.0)):
+        one_row = tables.changed(one_row, row, d=d)
+    assert score(key, sign) == score(key, one_row)
+
+
 TYPES = st.lists(st.booleans(), min_size=3, max_size=8).map(lambda joints: (False, *joints, False))
 
 
