@@ -42,6 +42,8 @@ class RawRow:
     theta: Cell
 
     def __post_init__(self) -> None:
+        if self.joint is not None:
+            object.__setattr__(self, "joint", JointType(self.joint))
         # True equals 1: a wrong type is put aside before the table is looked up among those read before.
         if _CELL_TYPES.issuperset(map(type, (self.alpha, self.a, self.d, self.theta))):
             return
@@ -74,6 +76,12 @@ class RawTable:
         convention: how each row is read.
         rows: the rows, base first.
         angle_unit: unit of plain numbers where an angle stands.
+
+    A convention, units and types of joints may be given by their values, as "standard". That equals
+    Convention.STANDARD: left as it is, it would stand in the place of that in what is read once for both.
+
+    Raises:
+        ValueError: there is no such convention or unit.
     """
 
     convention: Convention
@@ -86,6 +94,9 @@ class RawTable:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "rows", tuple(self.rows))
+        object.__setattr__(self, "convention", Convention(self.convention))
+        object.__setattr__(self, "angle_unit", AngleUnit(self.angle_unit))
+        object.__setattr__(self, "length_unit", LengthUnit(self.length_unit))
         cells = [(row.joint, row.alpha, row.a, row.d, row.theta) for row in self.rows]
         content = (self.convention, self.angle_unit, self.length_unit, *cells)
         object.__setattr__(self, "_content", content)
