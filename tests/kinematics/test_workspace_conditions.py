@@ -10,8 +10,8 @@ from kinematics.errors import PoseError
 from kinematics.inverse import ArmReach
 from kinematics.table import Convention, JointType
 from kinematics.workspace import workspace
-from tests.kinematics.robots import PUMA560, numeric
-from tests.kinematics.test_workspace import RIGHT, numbers, radii
+from tests.kinematics.robots import PUMA560, listed_numbers, numeric
+from tests.kinematics.test_workspace import RIGHT, radii
 
 SUPPORT = ((0.0, 0.0, 0.0), (0.0, 0.0, 1.0))
 DOWN = np.diag([1.0, -1.0, -1.0, 1.0])
@@ -19,7 +19,7 @@ DOWN = np.diag([1.0, -1.0, -1.0, 1.0])
 
 def test_the_desktop_arm_in_its_support_plane():
     """Seed 003 measures radii in the plane on which the arm stands; elbow to wrist it is √(20² + 130²)."""
-    dmra, forearm = numbers("dmra"), math.hypot(20, 130)
+    dmra, forearm = listed_numbers("dmra"), math.hypot(20, 130)
     found = workspace(dmra, plane=SUPPORT)
     far = 45 + math.sqrt((115 + forearm + 50) ** 2 - 75**2)
     assert radii(found) == pytest.approx([0.0, 0.0, far, far], abs=1e-8)
@@ -87,7 +87,7 @@ def test_slides_at_their_ends_in_an_oblique_plane():
 
 @pytest.mark.parametrize("robot_id", ["rx90", "irb140", "scara", "ur5"])
 def test_no_sample_in_the_plane_lies_outside(robot_id):
-    table = numbers(robot_id)
+    table = listed_numbers(robot_id)
     limits = [(-0.2, 0.4) if kind is JointType.PRISMATIC else (-2.0, 2.5) for kind in table.joint_types]
     height = float(end_pose(table, [0.1 * (k + 1) for k in range(table.n_joints)])[2, 3])
     found = workspace(table, limits, plane=((0.0, 0.0, height), (0.0, 0.0, 1.0)), samples=3000)

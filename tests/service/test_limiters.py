@@ -17,6 +17,7 @@ from hypothesis import strategies as st
 from exercises.instance import Instance, cached_instance
 from service.app import create_app
 from service.http.problems import BusyError, busy, located
+from service.routes.exercises import exercises
 from service.settings import Settings
 from service.wire.exercises import exercise_views
 from service.work import fair_queue
@@ -311,7 +312,8 @@ def test_a_students_values_are_drawn_beside_the_event_loop(
         threads.append(threading.get_ident())
         return cached_instance(*asked)
 
-    monkeypatch.setattr(exercise_views, "cached_instance", noted)
+    for module in (exercise_views, exercises):
+        monkeypatch.setattr(module, "cached_instance", noted)
     app = create_app(Settings())
 
     async def scene() -> int:
