@@ -6,6 +6,7 @@ import pytest
 
 from exercises.grading import BaseRule, Policy, ToolRule, grade
 from exercises.grading.edits.last_row import _row_of
+from exercises.grading.judging.comparison import LARGEST_ENTRY, _within_bounds
 from kinematics.dh import link_transform
 from kinematics.errors import ParameterError
 from kinematics.se3 import compose, from_matrix, translation
@@ -68,6 +69,16 @@ def test_what_is_wrong_across_sliders_costs_one_in_the_wrong_convention(
     assert grade(written(LIFTS), written(wrong), FREE).score == 0.83
     verdict = grade(written(LIFTS), written(replace(wrong, convention=Convention.MODIFIED)), FREE)
     assert verdict.score == 0.33
+
+
+@pytest.mark.parametrize("cell", ["alpha", "a", "d", "theta"])
+def test_an_entry_may_be_as_large_as_is_said(cell: str) -> None:
+    """A larger one has no value: powers of it would be infinite."""
+    for entry in (LARGEST_ENTRY, -LARGEST_ENTRY):
+        largest = tables.changed(LIFTS, 2, **{cell: entry})
+        assert _within_bounds(largest) is largest
+        with pytest.raises(ParameterError):
+            _within_bounds(tables.changed(LIFTS, 2, **{cell: entry * 1.001}))
 
 
 def test_a_value_that_no_name_asks_for_is_told_as_it_is_read() -> None:

@@ -68,6 +68,17 @@ def test_a_square_that_is_nowhere_met_is_least_where_it_comes_nearest() -> None:
     assert list(_lengths(1.0, 2.0, 3.0, 0.5, here=0.0, scale=1.0)) == []
 
 
+@pytest.mark.parametrize("scale", [1e-4, 1.0, 1e6])
+def test_a_square_is_met_at_as_many_lengths_in_every_unit(scale: float) -> None:
+    """At two that are a thousandth of the robot apart, and at one where it is but touched."""
+    for apart in (0.001, 0.0):
+        middle, target = 0.25 * (1.0 - apart**2 / 4.0), 0.5
+        beside = middle * scale**2 + scale**2
+        found = sorted(_lengths(beside, middle * scale**2, beside, target * scale, 0.3 * scale, scale))
+        expected = [0.3 - apart / 4.0, 0.3 + apart / 4.0] if apart else [0.3]
+        assert [x / scale for x in found] == pytest.approx(expected, rel=1e-6)
+
+
 @pytest.mark.parametrize("sense", [1, -1])
 def test_a_turn_is_met_whichever_way_the_angle_enters_it(sense: int) -> None:
     for k, here, target in RNG.uniform([-3.0, -3.0, 0.1], [3.0, 3.0, 3.0], (20, 3)).tolist():

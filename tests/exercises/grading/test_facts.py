@@ -68,6 +68,16 @@ def test_a_turn_about_sliders_is_none_where_they_are_not_parallel() -> None:
     assert not facts.shared(turned(facts.axes, 3, (1.0, 0.0, 0.0), 0.1))[turn]
 
 
+def test_a_turn_about_sliders_is_one_whatever_comes_behind_its_second_axis() -> None:
+    """There the next axis is parallel, and in the key it is not."""
+    facts = facts_of(LIFTS)
+    turn = place_of(facts, Measure.TURN)
+    level = facts.axes[5]._replace(direction=facts.axes[4].direction)
+    found = facts.shared([*facts.axes[:5], level, *facts.axes[6:]])
+    assert found[turn]
+    assert not found.all()
+
+
 def test_an_offset_past_sliders_is_none_where_they_are_no_longer_parallel() -> None:
     """Even if it has the same value: of two sliders it is measured beside the second."""
     facts = facts_of(LIFTS)

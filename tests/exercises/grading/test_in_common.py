@@ -44,6 +44,19 @@ def test_of_repairs_as_small_the_one_to_the_own_table_of_the_key_comes_first() -
     assert own_table_first((elsewhere, two), answer, key) == (elsewhere, two)
 
 
+@pytest.mark.parametrize(
+    ("extent", "is_told"), [(Extent.CELL, False), (Extent.ROW, True), (Extent.TABLE, True)]
+)
+def test_columns_exchanged_in_one_row_are_no_other_story_beside_a_cell(extent: Extent, is_told: bool) -> None:
+    """Beside a row they are: what is wrong is more than a cell."""
+    key = standard((R, 0.5, 0.4, 0.2, 0.0), (R, 0.3, 0.3, 0.1, 0.0))
+    answer = changed(key, 1, a=0.5)
+    first = Change(code="any", extent=extent, row=0, cells=((0, "a", 0.45),))
+    columns = first._replace(extent=Extent.TABLE, row=None, cells=((0, "a", 0.2), (0, "d", 0.5)))
+    repairs = Repaired((first,)), Repaired((columns,))
+    assert own_table_first(repairs, answer, key) == (repairs if is_told else repairs[:1])
+
+
 def test_with_the_axes_the_other_way_it_is_no_own_table_unless_either_way_will_do() -> None:
     key = standard((R, 0.5, 0.4, 0.2, 0.0), (R, 0.3, 0.3, 0.1, 0.0))
     other = standard((R, -0.5, 0.4, 0.2, 0.0), (R, -0.3, 0.3, -0.1, 0.0))

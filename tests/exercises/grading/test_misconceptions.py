@@ -20,6 +20,16 @@ def test_every_misconception_has_a_code() -> None:
     assert all(re.fullmatch(r"[a-z_]+", entry.code) for entry in CATALOGUE)
 
 
+def test_what_is_found_in_one_cell_is_told_of_this_cell() -> None:
+    """A wrong offset may be a missing or misnamed one, or one in another unit; it is no wrong length."""
+    alone = [entry for entry in CATALOGUE if len(entry.cells) == 1]
+    assert {"alpha", "a", "d"} <= {entry.cells[0] for entry in alone}
+    for entry in alone:
+        own = f"{entry.cells[0]}_"
+        others = {"alpha_", "a_", "d_", "variable_"} - {own}
+        assert not any(code.startswith(tuple(others)) for code in entry.codes)
+
+
 def test_what_concerns_the_whole_table_has_a_hint() -> None:
     """It has no row whose facts could be told instead."""
     throughout = [entry for entry in CATALOGUE if entry.changes.__module__ == table_edits.__name__]
