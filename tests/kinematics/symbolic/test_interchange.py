@@ -9,6 +9,7 @@ import pytest
 import sympy
 
 from kinematics.expressions import (
+    Expression,
     Function,
     JointVariable,
     Parameter,
@@ -55,6 +56,22 @@ def test_the_puma_keeps_its_form() -> None:
     a2, a3, d4 = sympy.symbols("a2 a3 d4")
     height = a2 * sympy.sin(q2) + a3 * sympy.sin(q2 + q3) - d4 * sympy.cos(q2 + q3)
     assert written[2, 3].subs(d4, -d4) == height  # d4 has the other sign in that table
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [
+        *map(number, ("2", "-2", "0.5", "-0.5")),
+        *(power(Parameter("x"), Fraction(*exponent)) for exponent in ((-1, 1), (2, 1), (-2, 1))),
+        add((number("-0.5"), Parameter("x"))),
+        add((multiply((number(-1), Parameter("x"))), multiply((number(-3), JointVariable(1))))),
+        multiply((number("-0.5"), Parameter("x"), JointVariable(1))),
+        call(Function.ATAN2, number("-0.5"), Parameter("x")),
+    ],
+    ids=str,
+)
+def test_operations_are_counted_as_sympy_counts_them(expression: Expression) -> None:
+    assert count_operations([expression]) == sympy.count_ops(to_sympy(expression))
 
 
 @pytest.mark.parametrize(

@@ -1,12 +1,13 @@
 """Polynomials in cosines and sines, against the ring of exponentials."""
 
+import math
 from fractions import Fraction
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
-from kinematics.expressions import add, call, multiply, power
+from kinematics.expressions import add, call, evaluate, multiply, power
 from kinematics.expressions.trees import (
     PI,
     Call,
@@ -20,7 +21,7 @@ from kinematics.expressions.trees import (
     pi_times,
 )
 from kinematics.symbolic import ProofStatus, compare
-from kinematics.symbolic.polynomials import PolynomialReader
+from kinematics.symbolic.polynomials import FIELD, PolynomialReader
 
 HALF = Fraction(1, 2)
 q1, q2, d3, L, alpha = JointVariable(1), JointVariable(2), JointVariable(3), Parameter("L"), Parameter("a")
@@ -69,6 +70,22 @@ def test_equality_is_that_of_the_ring(a, b):
     if one and other:
         sums = {symbol: of_one.get(symbol, 0) + of_other.get(symbol, 0) for symbol in {*of_one, *of_other}}
         assert reader.degrees(product) == sums
+
+
+@given(functions)
+@example(multiply((L, cos(q1), add((cos(q2), multiply((d3, sin(q2))))))))
+@example(add((power(L, 2), multiply((alpha, d3, sin(q2))))))
+def test_a_polynomial_has_the_values_of_what_it_was_read_from(function):
+    """Each name, cosine and sine has a field of its own in the keys."""
+    reader = PolynomialReader()
+    polynomial = reader.read(function)
+    values, q = {"L": 0.7, "a": -0.4}, [0.3, 1.1, -0.6]
+    places = [(evaluate(factor, values, q), place) for factor, place in reader.factors({}).items()]
+    total = sum(
+        float(weight) * math.prod(value ** (key >> place & FIELD) for value, place in places)
+        for key, weight in polynomial.items()
+    )
+    assert total == pytest.approx(evaluate(function, values, q), rel=1e-9, abs=1e-9)
 
 
 @pytest.mark.parametrize(
@@ -133,6 +150,13 @@ def test_units_are_left_out_of_a_normalised_polynomial():
     assert one != other
     assert reader.normalised(one) == reader.normalised(other)
     assert reader.normalised(reader.read(d3)) == reader.read(d3)
+
+
+def test_of_several_names_each_is_left_out_as_often_as_in_every_term():
+    reader = PolynomialReader()
+    some = add((multiply((alpha, d3)), sin(q1)))
+    factors = multiply((number("0.5"), power(L, 2), power(alpha, 3)))
+    assert reader.normalised(reader.read(multiply((factors, some)))) == reader.normalised(reader.read(some))
 
 
 @pytest.mark.parametrize(
