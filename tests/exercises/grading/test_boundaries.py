@@ -61,6 +61,14 @@ def test_a_fact_that_zeros_have_weighs_no_more_than_another() -> None:
     assert grade(written(key), written(wrong), FREE).score == round(1 - 2 / 7, 2)
 
 
+def test_a_fact_that_zeros_have_costs_nothing_where_another_type_hides_it() -> None:
+    """The turn about the slider is none. Of three facts a length is wrong; the type takes half the rest."""
+    key = tables.standard((R, HALF, 0.3, 0.2, 0), (P, HALF, 0, 0, 0), (R, 0, 0.4, 0.1, 0))
+    wrong = tables.changed(key, 1, a=0.7)
+    turning = replace(wrong, rows=(wrong.rows[0], replace(wrong.rows[1], joint=R), wrong.rows[2]))
+    assert grade(written(key), written(turning), FREE).score == 0.33
+
+
 @pytest.mark.parametrize(("row", "cell", "value"), [(4, "a", 0.7), (3, "theta", 1.0), (2, "a", 0.6)])
 def test_what_is_wrong_across_sliders_costs_one_in_the_wrong_convention(
     row: int, cell: str, value: float

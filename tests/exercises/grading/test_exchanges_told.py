@@ -3,6 +3,10 @@
 import pytest
 
 from exercises.grading import Policy, ToolRule, Verdict, grade
+from exercises.grading.edits.row_edits import is_foreign
+from exercises.grading.explanation import work_on
+from exercises.grading.judging.comparison import comparisons
+from kinematics.table import bind
 from tests.exercises.grading.written import Cell, read
 
 Rows = list[tuple[Cell, Cell, Cell, Cell]]
@@ -100,6 +104,17 @@ def test_beside_another_mistake_a_last_row_of_zeros_lacks_its_length(wrong: tupl
     assert "row_missing" not in [entry.code for entry in verdict.feedback]
 
 
+@pytest.mark.parametrize("rows", [1, 2, 3])
+def test_of_last_rows_of_zeros_the_first_lacks_the_length(rows: int) -> None:
+    """It might stand in any of them: they were all accused."""
+    key: Rows = [(0, 0, 0, "q1"), (90, "L1", 0, "q2"), (0, "L2", 0, "q3"), (0, "L3", 0, 0)]
+    answer: Rows = [*key[:3], *[(0, 0, 0, 0)] * rows]
+    verdict = grade(read("modified", key, "deg"), read("modified", answer, "deg"), POINT)
+    assert [[(edit.code, edit.row) for edit in repair.edits] for repair in verdict.repairs] == [
+        [("a_missing", 4)]
+    ]
+
+
 @pytest.mark.parametrize("row", [3, 5])
 def test_an_offset_beside_a_twist_that_hides_it_is_told_in_its_own_row(row: int) -> None:
     """Along axes that are parallel by mistake there is no offset: those of two rows were called wrong."""
@@ -133,3 +148,16 @@ def test_beside_a_wrong_length_all_signs_that_mirror_the_arm_are_told() -> None:
     verdict = grade(read("standard", key, "deg"), read("standard", answer, "deg"), Policy())
     told = [(entry.code, entry.row) for entry in verdict.feedback]
     assert told[1:] == [("length_wrong", 1), ("one_of_these", None), ("sign_wrong", 3), ("sign_wrong", 4)]
+
+
+@pytest.mark.parametrize(
+    ("alpha", "a", "foreign"),
+    [(0, 0, False), (90, 0.3, False), (-90, -0.7, False), (57.29577951308232, 0, True), (0, 1, True)],
+)
+def test_nothing_is_in_every_key_even_where_each_of_its_rows_has_a_twist_and_a_length(
+    alpha: Cell, a: Cell, foreign: bool
+) -> None:
+    key = read("standard", [(90, 0.3, 0, "q1"), (-90, 0.7, 0, "q2")], "deg")
+    work = work_on(comparisons(key, key, {})[0], (key, key), FREE)
+    row = bind(read("standard", [(alpha, a, 0, "q1")], "deg").table, {}).rows[0]
+    assert is_foreign(work, row) is foreign

@@ -1,8 +1,12 @@
 """Under the rule `axis` the key's line at an end tells which cell is wrong, where it is no joint's axis."""
 
+from dataclasses import replace
+
 import pytest
 
 from exercises.grading import BaseRule, HelpLevel, Policy, ToolRule, Verdict, ZeroRule, grade
+from exercises.grading.explanation import work_on
+from exercises.grading.judging.comparison import comparisons
 from tests.exercises.grading.told import codes, repairs
 from tests.exercises.grading.written import Cell, read
 
@@ -78,3 +82,16 @@ def test_a_slider_whose_zero_takes_the_line_of_the_tool_along_is_told() -> None:
     verdict = _told(key, (3, "d", "q3+0.15"), policy=Policy(tool=ToolRule.AXIS, zero=ZeroRule.FIGURE))
     assert ("d_offset", 3) in {edit for repair in repairs(verdict) for edit in repair}
     assert 3 in {entry.row for entry in verdict.feedback}
+
+
+@pytest.mark.parametrize("zero", ZeroRule)
+def test_a_line_that_is_kept_is_looked_for_where_the_zeros_are_fixed_as_well(zero: ZeroRule) -> None:
+    """To the letter alone, and elsewhere not at all: there it is on the line whatever the variables are."""
+    policy, key = replace(AXIS, zero=zero), read("standard", ELBOW, "deg")
+    wrong: Rows = [*ELBOW[:2], (90, 0.25, -0.05, "q3")]
+    for rows, is_off in ((ELBOW, False), (wrong, True)):
+        answer = read("standard", rows, "deg")
+        work = work_on(comparisons(key, answer, {})[0], (key, answer), policy)
+        to_the_letter = is_off or zero is ZeroRule.FIGURE
+        assert (work.for_lines() is not None) is is_off
+        assert (work.for_lines(to_the_letter=True) is not None) is to_the_letter

@@ -448,3 +448,11 @@ def test_a_repair_of_one_cell_is_of_a_length_or_a_turn_unless_it_tilts_an_axis()
         cell._replace(extent=Extent.ROW),
     ]
     assert [_is_of_length_or_turn(change) for change in found] == [True, True, False, False, False]
+
+
+def test_a_rule_that_the_right_robot_breaks_costs_at_most_half_of_what_zeros_lose() -> None:
+    """Under the rule `axis` the second length of two links only says where the tool is."""
+    key, answer = (read("standard", [(0, 0.5, 0, "q1"), (0, a, 0, "q2")]) for a in (0.3, 0.25))
+    for rule in (0.5, 1.0, 100.0):
+        weights = Weights(sign=0.1, rule=rule)
+        assert grade(key, answer, Policy(tool=ToolRule.AXIS), weights=weights).score == 0.5
