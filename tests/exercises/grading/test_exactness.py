@@ -65,6 +65,23 @@ def test_a_wrong_name_is_wrong_beside_a_frame_that_is_moved_to_and_fro(cell: str
     assert not moved.correct
 
 
+@pytest.mark.parametrize("first", [0.5, 2.642])
+def test_lengths_that_cancel_leave_a_rounded_twist_what_it_is(first: Cell) -> None:
+    """Beside them it was held to all digits of the key's: what is mirrored was told as two wrong twists."""
+    key = read("standard", [(0.5, "L1", 0, "q1"), (0.9, "L2", 0, "q2"), (0, "L1", 0, "q3")])
+    verdicts = []
+    for there in (0, 0.15):
+        rows: Rows = [
+            (0, 0, there, "q1"),
+            (first, "L1", -there, 0),
+            (2.242, "L2", 0, "q2"),
+            (0, "L1", 0, "q3"),
+        ]
+        verdicts.append(grade(key, read("standard", rows), USUAL, {"L1": 0.4, "L2": 0.3}))
+    assert verdicts[0].score == verdicts[1].score
+    assert codes(verdicts[0]) == codes(verdicts[1])
+
+
 def test_two_names_exchanged_throughout_are_wrong_for_every_student() -> None:
     ssrms = exercise("ssrms")
     raw = written_table(ssrms.reference)

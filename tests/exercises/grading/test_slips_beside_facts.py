@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import pytest
 
-from exercises.grading import ConventionRule, Policy, ToolRule, Verdict, grade
+from exercises.grading import ConventionRule, DirectionRule, Policy, ToolRule, Verdict, ZeroRule, grade
 from exercises.grading.edits.changes import Change, Extent, with_joints_mended
 from kinematics.table import Convention, DHRow, JointType, NumericTable
 from tests.exercises.grading.written import written
 from tests.kinematics.equivalence.campaign import catalogue, references
-from tests.kinematics.equivalence.tables import HALF, PUMA, R, changed, standard
+from tests.kinematics.equivalence.tables import HALF, PUMA, P, R, changed, standard
 
 FREE = Policy(tool=ToolRule.FREE)
 RX90 = dict(catalogue())["rx90"]
@@ -64,6 +64,36 @@ def test_a_cell_beside_two_rows_exchanged_costs_one_fact() -> None:
     assert (alone.repairs[0].edits[0].code, alone.score) == ("rows_swapped", 1 - 2 / of_rx90)
     both = judged(RX90, changed(exchanged, 5, alpha=0.3))
     assert both.score == round(1 - 3 / of_rx90, 2)
+
+
+SLIDERS = standard(
+    (R, 0.4, 0.2, 0.1, 0.3),
+    (P, -1.1, 0, 0, 0.5),
+    (P, 0.5, 0, 0, 1.0),
+    (P, -1.2, 0.1, 0, 0.8),
+    (R, 0, 0, 0, 0),
+)
+
+
+@pytest.mark.parametrize(("row", "other"), [(2, 3), (2, 4), (3, 4)])
+def test_two_rows_of_sliders_exchanged_are_one_slip(row: int, other: int) -> None:
+    """What is wrong across sliders counts as one fact at the least; so one row might do as well."""
+    rows = list(SLIDERS.rows)
+    rows[row - 1], rows[other - 1] = rows[other - 1], rows[row - 1]
+    assert judged(SLIDERS, replace(SLIDERS, rows=tuple(rows))).score == round(1 - 2 / 7, 2)
+
+
+@pytest.mark.parametrize("zero", [ZeroRule.FREE, ZeroRule.FIGURE])
+@pytest.mark.parametrize("direction", [DirectionRule.FREE, DirectionRule.FIGURE])
+def test_a_twist_in_the_wrong_convention_earns_no_rule_that_nobody_sees_kept(
+    zero: ZeroRule, direction: DirectionRule
+) -> None:
+    """Of the facts and the rules together the convention costs three, the twist one, and each rule one."""
+    policy = replace(FREE, zero=zero, direction=direction)
+    rules = (zero is ZeroRule.FIGURE) + (direction is DirectionRule.FIGURE)
+    answer = in_the_wrong_convention(changed(PUMA, 4, alpha=0.3))
+    verdict = grade(written(PUMA), written(answer), policy)
+    assert verdict.score == round(1 - (3 + 1 + rules) / (OF_PUMA + rules), 2)
 
 
 @pytest.mark.parametrize("wrong_cells", [0, 1])

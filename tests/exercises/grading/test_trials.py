@@ -115,6 +115,22 @@ def test_an_entry_of_the_answer_is_first_what_it_is_itself_at_another_draw() -> 
     assert taken.cells == ((0, "a", pytest.approx(0.6)),)
 
 
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_length_that_is_a_sum_or_a_difference_is_that_at_another_draw(sign: int) -> None:
+    """An offset makes up for another; a twist that is a sum is no such thing, and stays itself."""
+
+    def table(first: float, second: float) -> NumericTable:
+        rows: Rows = [(first, first, 0, "q1"), (second, second, 0, "q2")]
+        return work(read("standard", rows), FIXED, read("standard", rows)).table
+
+    tables = table(0.7, 0.2), table(0.5, 0.4)
+    here, there = (first + sign * second for first, second in ((0.7, 0.2), (0.5, 0.4)))
+    for cell, expected in (("a", there), ("d", there), ("alpha", here)):
+        changed = alike_at(Change("", Extent.CELL, 0, cell, ((0, cell, -here),)), tables, tables)
+        assert changed is not None
+        assert changed.cells == ((0, cell, pytest.approx(-expected)),)
+
+
 def test_a_length_that_is_near_to_no_entry_is_not_taken_for_one() -> None:
     rows: Rows = [("pi/2", 1e-4, 0, "q1"), (0, 0.3, 0, "q2")]
     tables = work(read("standard", rows), FIXED, read("standard", rows)).table
