@@ -269,3 +269,39 @@ def test_a_unit_throughout_is_told_first_whatever_is_wrong_beside_it(
     for repair in repairs(grade(key, answer, USUAL)):
         assert repair[0][1] is None
         assert {row for _, row in repair[1:]} == others
+
+
+@pytest.mark.parametrize("wrong_length", [0.364, 0.41, 0.429])
+@pytest.mark.parametrize(("unit", "by"), [("m", 1000), ("mm", 0.001), ("m", 100), ("m", 10)])
+def test_one_length_shows_a_unit_throughout_if_no_length_is_wrong_by_so_much(
+    wrong_length: float, unit: str, by: float
+) -> None:
+    """Metres for millimetres; that another unit makes one length right may be by chance."""
+    is_told, one = by in (1000, 0.001), 1000 if unit == "mm" else 1
+    right: Rows = [
+        (90, 0.3 * one, 0, "q1"),
+        (0, 0.5 * one, 0.12 * one, "q2"),
+        (90, 0.2 * one, 0.3 * one, "q3"),
+        (-90, 0, 0.25 * one, "q4"),
+        (60, 0.15 * one, 0, "q5"),
+    ]
+    wrong: Rows = [
+        (60, wrong_length * one * by, 0, "q1"),
+        (0, 0.5 * one * by, 0, "q2"),
+        (70, 0.11 * one * by, 0.17 * one * by, "q3"),
+        (-90, 0, 0.33 * one * by, "q4"),
+        (60, 0, 0, "q5"),
+    ]
+    key, answer = (read("standard", rows, "deg", unit) for rows in (right, wrong))
+    told = feedback(grade(key, answer, Policy(tool=ToolRule.FREE)))
+    assert (("lengths_throughout", None) in told) is is_told
+    assert (("length_wrong", 2) in told) is not is_told
+
+
+def test_lengths_that_another_unit_makes_the_key_s_tell_nothing_where_facts_do() -> None:
+    """Three of them are lengths of the key, but one of them alone stands where the key has it."""
+    right: Rows = [(90, 0.3, 0, "q1"), (0, 0.5, 0.12, "q2"), (90, 0.2, 0.3, "q3"), (60, 0.15, 0.25, "q4")]
+    wrong: Rows = [(60, 30, 0, "q1"), (0, 20, 2, "q2"), (70, 50, 17, "q3"), (60, 0, 33, "q4")]
+    key, answer = read("standard", right, "deg"), read("standard", wrong, "deg")
+    told = feedback(grade(key, answer, Policy(tool=ToolRule.FREE)))
+    assert ("lengths_throughout", None) not in told
