@@ -33,6 +33,8 @@ from tests.kinematics.symbolic.tables import (
 )
 
 L1, L2 = Parameter("L1"), Parameter("L2")
+MOST_PRODUCTS = 40_000
+"""Terms multiplied for one table; several times as many where what cancels piles up from joint to joint."""
 
 
 def plain(n: int) -> dict[str, tuple[object, ...]]:
@@ -59,7 +61,7 @@ def test_every_rewriting_of_a_random_table_is_proved(seed: int) -> None:
             submission = with_axis_turned(submission, rng.randrange(len(submission.rows)))
         else:
             submission = other_convention(submission)
-    proof = prove_identity(reference, submission, signs=signs, offsets=offsets)
+    proof = prove_identity(reference, submission, signs=signs, offsets=offsets, limit=MOST_PRODUCTS)
     assert (proof.verdict, proof.joint) == (ProofStatus.PROVED, 0)
 
 
