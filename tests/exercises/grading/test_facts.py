@@ -2,8 +2,10 @@
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
+import pytest
 
 from exercises.grading import grade
 from exercises.grading.across_prismatic import across_prismatic
@@ -138,3 +140,23 @@ def test_a_sign_is_fixed_where_no_axis_that_it_depends_on_may_be_turned() -> Non
         for axis in along:
             assert fixed_signs((shape,), tuple(other for other in everything if other != axis)) == []
     assert fixed_signs(shapes, everything) == list(range(len(shapes)))
+
+
+def test_a_joint_that_is_missing_and_one_of_another_type_each_take_a_share_of_what_is_right() -> None:
+    """The one leaves four fifths of it, the other three fifths of that."""
+    key = standard(
+        (R, 1.1, 0.3, 0.2, 0),
+        (R, 0.8, 0.1, 0.4, 0),
+        (R, -0.9, 0.5, 0.3, 0),
+        (P, 1.3, 0.2, 0.2, 0),
+        (R, 0.4, 0.2, 0.1, 0),
+    )
+    facts, count = facts_of(key), 9.0
+    assert len(facts.invariants.shapes) == count
+    for joint in (None, 2, 3, 4, 5):
+        axes = [facts.axes[0], *facts.axes[2:]]
+        if joint is not None:
+            axes[joint - 1] = axes[joint - 1]._replace(prismatic=not axes[joint - 1].prismatic)
+        right = count - replace(facts, to_earn=count).wrong(axes)
+        left = count - replace(facts, to_earn=count, joint=0.2, type=0.4).wrong(axes)
+        assert left == pytest.approx(right * (0.8 if joint is None else 0.8 * 0.6))
