@@ -139,6 +139,18 @@ def test_a_length_that_is_near_to_no_entry_is_not_taken_for_one() -> None:
     assert alike_at(near._replace(cells=((1, "a", 1e-4),)), (tables, tables), (tables, tables)) is not None
 
 
+@pytest.mark.parametrize(("off", "sought"), [((True, False, False), "alpha"), ((False, True, False), "a")])
+def test_where_angles_alone_or_lengths_alone_are_off_no_other_value_will_do(
+    off: tuple[bool, bool, bool], sought: str
+) -> None:
+    """Not even zero, which is tried where nothing is known of a cell."""
+    wrong = work(read("standard", with_cells(ARM, (2, 1, 0.3), (1, 0, 0.7))))
+    (found,) = _fits([replace(wrong, scope=EditScope(off=off))])
+    other = "a" if sought == "alpha" else "alpha"
+    assert any(found[row, sought] for row in range(4))
+    assert [found.get((row, other)) for row in range(4)] == [[]] * 4
+
+
 @pytest.mark.parametrize(
     ("of", "places"),
     [
