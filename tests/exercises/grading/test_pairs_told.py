@@ -344,3 +344,12 @@ def test_a_twist_that_no_frame_asks_for_is_not_accused_of_being_elsewhere(name: 
     one, other = key.rows[row - 1].alpha, key.rows[row].alpha
     verdict = told(key, {(row, "alpha"): other, (row + 1, "alpha"): one}, FREE)
     assert [[edit.code for edit in repair.edits] for repair in verdict.repairs] == [["alpha_value"]]
+
+
+@pytest.mark.parametrize("off", [math.pi, 0.4])
+def test_two_zeros_at_the_ends_of_an_arm_are_told_where_both_frames_are_fixed(off: float) -> None:
+    """Neither alone leaves less misplaced; where one end is free, the other is told alone."""
+    slips = {(1, "theta"): off, (4, "theta"): 0.4}
+    assert repairs(told(SCARA, slips, STRICT)) == [[("theta_offset", 1), ("theta_offset", 4)]]
+    for free, row in (({"base": BaseRule.FREE}, 4), ({"tool": ToolRule.POINT}, 1)):
+        assert repairs(told(SCARA, slips, replace(STRICT, **free))) == [[("theta_offset", row)]]
