@@ -204,3 +204,11 @@ def test_a_length_of_the_key_is_not_rounded() -> None:
     key = read("standard", [(90, 0, 0.56, "q1"), (-90, 0.4273, 0, "q2"), (-90, -0.5, "q3", 30)], "deg")
     answer = read("standard", [(90, 0, 0.56, "q1"), (-90, 0.7, 0, "q2"), (-90, -0.5, "q3", 30)], "deg")
     assert "length_wrong" in codes(grade(key, answer, Policy(tool=ToolRule.AXIS)))
+
+
+@pytest.mark.parametrize("policy", [Policy(), FREE, Policy(base=BaseRule.FRAME, tool=ToolRule.FRAME)])
+def test_angles_with_too_few_digits_explain_where_they_take_what_is_behind_them(policy: Policy) -> None:
+    """The lengths are exact: they were compared as if no angle turned them, and both twists called wrong."""
+    key = read("standard", [(0.943, 0.496, 0.387, "q1"), (1.332, 0.708, 0.584, "q2")])
+    answer = read("standard", [(0.9, 0.496, 0.387, "q1"), (1.3, 0.708, 0.584, "q2")])
+    assert codes(grade(key, answer, policy)) == TOO_FEW_DIGITS
