@@ -2,11 +2,12 @@
 
 import pytest
 
-from exercises.grading import Policy, ToolRule, Verdict, grade
+from exercises.grading import BaseRule, Policy, ToolRule, Verdict, grade
 from exercises.grading.edits.row_edits import is_foreign
 from exercises.grading.explanation import work_on
 from exercises.grading.judging.comparison import comparisons
 from kinematics.table import bind
+from tests.exercises.grading.told import repairs
 from tests.exercises.grading.written import Cell, read
 
 Rows = list[tuple[Cell, Cell, Cell, Cell]]
@@ -161,3 +162,18 @@ def test_nothing_is_in_every_key_even_where_each_of_its_rows_has_a_twist_and_a_l
     work = work_on(comparisons(key, key, {})[0], (key, key), FREE)
     row = bind(read("standard", [(alpha, a, 0, "q1")], "deg").table, {}).rows[0]
     assert is_foreign(work, row) is foreign
+
+
+def test_a_last_row_of_zeros_is_told_only_where_what_it_lacks_mends_the_answer_as_soon() -> None:
+    """With a twist and two lengths it takes three cells; a single length may as well be wrong before it."""
+    key: Rows = [(0, 0, 0.35, "q1"), (90, 0.02, 0.01, "q2"), (0, 0.22, 0, "q3"), (90, 0.3, 0.2, 0)]
+    frames = Policy(base=BaseRule.FRAME, tool=ToolRule.FRAME)
+    assert repairs(_told(key, frames, (4, "alpha", 0), (4, "a", 0), (4, "d", 0))) == [
+        [("fixed_row_missing", 5)]
+    ]
+    links, longer = (read("standard", [(0, 0.5, 0, "q1"), (0, a, 0, "q2"), (0, 0, 0, 0)]) for a in (0.3, 0.7))
+    assert repairs(grade(links, longer, Policy(tool=ToolRule.FRAME))) == [
+        [("a_value", 2)],
+        [("a_missing", 3)],
+        [("fixed_row_missing", 4)],
+    ]
