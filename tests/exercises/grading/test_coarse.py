@@ -141,6 +141,13 @@ def test_too_few_digits_cost_beside_a_wrong_length_what_a_wrong_sign_does() -> N
     )
 
 
+def test_what_is_off_by_half_a_unit_is_rounded_up_or_down() -> None:
+    """0.4 for 0.45, 0.2 for 0.15 and 0.3 for 0.35; the length that was left out is told alone."""
+    values = {"a2": 0.45, "a3": 0.0203, "d3": 0.15, "d4": 0.35}
+    verdict = grade(_puma(NAMES), _puma((0.4, 0, 0.2, 0.3)), FREE, values)
+    assert codes(verdict) == ["not_equivalent", "lengths_rounded", "length_wrong"]
+
+
 ENDS = [
     Policy(tool=ToolRule.POINT),
     Policy(base=BaseRule.ORIGIN, tool=ToolRule.POINT),

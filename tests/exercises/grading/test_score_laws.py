@@ -177,6 +177,8 @@ def test_a_line_at_an_end_costs_beside_another_mistake(
     alone, line = (_marked(one, policy=axis, third=third) for one in (mistake, LINE))
     both = _marked(mistake, LINE, policy=axis, third=third)
     assert 0.0 < both < min(alone, line)
+    # the mistake costs one fact of all there are, and the line as large a share of what that leaves
+    assert both == pytest.approx(alone * alone, abs=0.01)
     free = Policy(base=base, tool=ToolRule.FREE)
     assert _marked(mistake, LINE, policy=free, third=third) == _marked(mistake, policy=free, third=third)
 

@@ -48,6 +48,18 @@ def test_a_step_far_beyond_what_is_left_is_not_begun() -> None:
     meter.charge(OVERDRAFT + 10)
 
 
+def test_it_is_known_whether_work_ran_out() -> None:
+    """With more of it other things might have been found; in a step with a limit, too."""
+    meter = Meter(1000)
+    with meter.at_most(300):
+        meter.charge(300)
+    assert not meter.ran_out
+    with meter.at_most(300):
+        for _ in range(4):
+            meter.charge(100)
+    assert meter.ran_out
+
+
 def test_a_step_with_a_limit_leaves_the_rest() -> None:
     meter = Meter(1000)
     with meter.at_most(300):
