@@ -6,6 +6,7 @@ import pytest
 
 from exercises.grading import Edit, Feedback, Finding, LinkFinding, Repair
 from exercises.grading.edits.changes import Change, Extent, after
+from exercises.grading.edits.repairs import _likelihood
 from exercises.grading.explanation import Explanation
 from exercises.grading.idle_rows import renumbered
 from exercises.grading.judging.exact_text import angle_text
@@ -98,3 +99,16 @@ def test_rows_of_zeros_count_where_rows_are_numbered() -> None:
 )
 def test_angles_as_a_cell_takes_them(angle: Expression, radians: str, degrees: str) -> None:
     assert (angle_text(angle, AngleUnit.RAD), angle_text(angle, AngleUnit.DEG)) == (radians, degrees)
+
+
+def test_of_edits_a_convention_is_likelier_than_a_row_and_less_likely_than_a_cell() -> None:
+    row = DHRow(joint=JointType.REVOLUTE, theta=0.0, d=0.2, a=0.1, alpha=0.0)
+    table = DHTable(convention=Convention.STANDARD, rows=(row,))
+    changes = [
+        Change("columns_late", Extent.TABLE),
+        Change("convention", Extent.TABLE),
+        Change("row_extra", Extent.ROW, 0),
+        Change("a_value", Extent.CELL, 0, "a", ((0, "a", 0.4),)),
+    ]
+    likeliest = sorted(changes, key=lambda change: _likelihood(change, table))
+    assert [change.code for change in likeliest] == ["a_value", "convention", "row_extra", "columns_late"]
