@@ -22,6 +22,7 @@ from kinematics.expressions import (
 )
 from kinematics.symbolic import ProofStatus, compare, count_operations, from_sympy, to_sympy
 from kinematics.symbolic.closed_form import Workings
+from kinematics.symbolic.interchange import SympyNodes
 from kinematics.table import Convention
 from tests.conftest import EXPLORE
 from tests.kinematics.symbolic.tables import puma, random_table
@@ -139,3 +140,10 @@ printer.write(Workings(table).transform, (Format.C,), Purpose(name="f", meaning=
 assert "sympy" in sys.modules
 """
     subprocess.run([sys.executable, "-c", program], check=True)
+
+
+def test_nodes_are_put_into_the_order_of_sympy_unless_they_are_to_stay_as_they_are() -> None:
+    x, y = sympy.symbols("x y")
+    expression = add((Parameter("y"), Parameter("x")))
+    assert SympyNodes().convert(expression).args == (x + y).args == (x, y)
+    assert SympyNodes(evaluate=False).convert(expression).args == (y, x)
