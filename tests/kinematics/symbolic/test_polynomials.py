@@ -203,6 +203,11 @@ def test_degrees_are_those_in_joint_variables():
     assert reader.degrees(reader.read(number(0))) == {}
     whole = multiply((power(d3, 2), L, add((sin(q1), number(1))), add((cos(q1, q2), d3))))
     assert reader.degrees(reader.read(whole)) == {d3: 3, q1: 2, q2: 1}
+    others = PolynomialReader()
+    assert others.degrees(others.read(multiply((power(L, 5), alpha, add((power(d3, 2), cos(q1))))))) == {
+        d3: 2,
+        q1: 1,
+    }
 
 
 @pytest.mark.parametrize("symbol", [L, d3], ids=str)
