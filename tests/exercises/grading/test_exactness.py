@@ -9,7 +9,7 @@ import pytest
 from exercises.grading import BaseRule, Policy, ToolRule, grade
 from exercises.grading.judging.certificate_report import in_unit
 from exercises.grading.judging.comparison import comparisons
-from exercises.grading.judging.digits import measured_as_typed
+from exercises.grading.judging.digits import SECOND_ORDER, digits_and_angles, measured_as_typed
 from exercises.grading.judging.typed import COARSEST_ANGLE, half_steps, meant
 from exercises.instance import generate
 from exercises.written_table import written_table
@@ -22,6 +22,8 @@ from kinematics.table import DHRow, JointType
 from tests.exercises.grading.test_grade import KEY, PUMA, USUAL, VALUES, Rows, codes, numbers, with_cells
 from tests.exercises.grading.written import Cell, read
 from tests.exercises.packaged import exercise
+from tests.kinematics.equivalence import tables
+from tests.kinematics.equivalence.tables import scaled
 
 SEEDS = range(20)
 WRONG_NAMES: list[tuple[int, int, Cell]] = [
@@ -430,3 +432,13 @@ def test_digits_that_the_arithmetic_does_not_keep_are_not_tried(length: float, a
         found = measured_as_typed(invariants, way.meant[0], way.steps, Policy())
         assert way.steps
         assert (found.shape[1] > 1) is tried
+
+
+@pytest.mark.parametrize("unit", [1e-3, 1.0, 1e4])
+def test_what_digits_may_move_is_a_share_of_the_robot_in_every_unit(unit: float) -> None:
+    """Half a unit of an angle as it is, and of a length beside the robot's size."""
+    table = scaled(tables.PUMA, unit)
+    reference = prepared(table)
+    steps = {(1, "a"): 0.005 * unit, (2, "alpha"): 0.01}
+    moved = digits_and_angles(reference, table, steps, USUAL)
+    assert moved == pytest.approx(SECOND_ORDER * (0.005 / prepared(tables.PUMA).size + 0.01))
