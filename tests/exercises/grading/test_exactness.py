@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import pytest
 
-from exercises.grading import BaseRule, Policy, ToolRule, grade
+from exercises.grading import BaseRule, Policy, ToolRule, accept, grade
 from exercises.grading.judging.certificate_report import in_unit
 from exercises.grading.judging.comparison import comparisons
 from exercises.grading.judging.digits import SECOND_ORDER, digits_and_angles, measured_as_typed
@@ -442,3 +442,10 @@ def test_what_digits_may_move_is_a_share_of_the_robot_in_every_unit(unit: float)
     steps = {(1, "a"): 0.005 * unit, (2, "alpha"): 0.01}
     moved = digits_and_angles(reference, table, steps, USUAL)
     assert moved == pytest.approx(SECOND_ORDER * (0.005 / prepared(tables.PUMA).size + 0.01))
+
+
+def test_what_is_accepted_is_accepted_for_the_values_that_were_given() -> None:
+    numeric = read("standard", numbers(PUMA, 4))
+    assert accept(KEY, numeric, USUAL, VALUES) == grade(KEY, numeric, USUAL, VALUES)
+    for others in (None, {**VALUES, "a2": 2 * VALUES["a2"]}):
+        assert accept(KEY, numeric, USUAL, others) is None
