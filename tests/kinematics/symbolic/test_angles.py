@@ -121,3 +121,16 @@ def test_a_number_is_a_cosine_that_it_is_to_its_last_digits(twelfths: int) -> No
         assert pose[0][3] == pose[3][0] == decimal(value + off)
     for off in (-7e-16, 7e-16):
         assert exact_pose([[value + off] * 4] * 4)[1][1] == decimal(value + off)
+
+
+@pytest.mark.parametrize(
+    ("twelfths", "cosine", "sine"), [(4, "0.5", None), (2, None, "0.5"), (6, "0", "1"), (12, "-1", "0")]
+)
+def test_rational_cosines_and_sines_are_numbers_and_no_sums_of_roots_of_unity(
+    twelfths: int, cosine: str | None, sine: str | None
+) -> None:
+    reader = FormReader()
+    found = reader.cosine_and_sine(pi_times(Fraction(twelfths, 12)))
+    for form, value in zip(found, (cosine, sine), strict=True):
+        if value is not None:
+            assert form == reader.ring.rational(Fraction(value))
