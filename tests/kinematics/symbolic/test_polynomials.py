@@ -157,6 +157,9 @@ def test_of_several_names_each_is_left_out_as_often_as_in_every_term():
     some = add((multiply((alpha, d3)), sin(q1)))
     factors = multiply((number("0.5"), power(L, 2), power(alpha, 3)))
     assert reader.normalised(reader.read(multiply((factors, some)))) == reader.normalised(reader.read(some))
+    other = add((L, multiply((power(L, 3), d3))))
+    divided = add((number(1), multiply((power(L, 2), d3))))
+    assert reader.normalised(reader.read(other)) == reader.normalised(reader.read(divided))
 
 
 @pytest.mark.parametrize(
