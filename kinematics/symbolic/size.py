@@ -53,8 +53,8 @@ def children(node: Expression) -> tuple[Expression, ...]:
 def count_operations(expressions: Iterable[Expression]) -> int:
     """Count additions, subtractions, signs, multiplications, divisions, powers and calls, as written.
 
-    Counted as SymPy's `count_ops` does. What occurs several times counts each time but is visited once, so
-    the count is cheap however large the written form would be.
+    Counted as SymPy's `count_ops` does, but for roots, which count 1. What occurs several times counts each
+    time but is visited once, so the count is cheap however large the written form would be.
     """
     roots = tuple(expressions)
     known: dict[int, int] = {}
