@@ -186,6 +186,7 @@ def test_a_film_of_no_row_is_said_not_to_be_there(open_page: OpenPage) -> None:
     expect(page.locator("#announcer")).to_contain_text("Row 1")
     page.get_by_role("button", name="One step forward").click()
     put_table(page, SCARA)
+    expect(page.locator("#own")).to_contain_text("Drawn from your table")
     page.locator(".film").get_by_role("button", name="Play").click()
     expect(page.locator(".film-text")).to_contain_text("Row 1")
 
