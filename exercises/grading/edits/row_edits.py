@@ -142,17 +142,20 @@ def _is_beyond_the_joints(work: Work, i: int, j: int) -> bool:
 
 
 def is_foreign(work: Work, row: NumericRow, cells: Sequence[str] = ALONG_X) -> bool:
-    """Return whether a row has a twist or a length that is neither nothing nor in any row of the key."""
-    slack = {
-        "alpha": work.policy.tolerance.angle,
-        "a": work.policy.tolerance.length * work.reference.size,
+    """Return whether a row has a twist or a length that is neither nothing nor in any row of the key.
+
+    Who lets an axis point the other way has π - α for a twist α of the key.
+    """
+    keys, tolerance = work.reference.table.rows, work.policy.tolerance
+    twists = [twist for key in (0.0, *(abs(each.alpha) for each in keys)) for twist in (key, math.pi - key)]
+    known = {
+        "alpha": (tolerance.angle, twists),
+        "a": (tolerance.length * work.reference.size, [0.0, *(abs(each.a) for each in keys)]),
     }
     return any(
-        all(
-            abs(abs(getattr(row, cell)) - abs(known)) > slack[cell]
-            for known in (0.0, *(getattr(each, cell) for each in work.reference.table.rows))
-        )
-        for cell in cells
+        all(abs(abs(getattr(row, cell)) - value) > slack for value in values)
+        for cell, (slack, values) in known.items()
+        if cell in cells
     )
 
 

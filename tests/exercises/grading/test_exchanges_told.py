@@ -58,11 +58,19 @@ def test_nothing_is_moved_where_it_hides_what_no_row_of_the_key_has(
     assert all(edit.row == wrong[0][0] for edit in verdict.repairs[0].edits)
 
 
-def test_rows_that_are_exchanged_are_told() -> None:
-    """Row 2 may be the first: its twist is one of the key's."""
-    rows = [STANFORD[1], STANFORD[0], *STANFORD[2:]]
+@pytest.mark.parametrize("first", [0, 180])
+def test_rows_that_are_exchanged_are_told(first: Cell) -> None:
+    """Row 2 may be the first: its twist is one of the key's, and 180° lets z₀ point the other way."""
+    rows = [STANFORD[1], (first, *STANFORD[0][1:]), *STANFORD[2:]]
     answer = [(*row[:3], f"q{k}" if k != 3 else row[3]) for k, row in enumerate(rows, 1)]
     verdict = grade(read("modified", STANFORD, "deg"), read("modified", answer, "deg"), FREE)
+    assert "rows_out_of_order" in [entry.code for entry in verdict.feedback]
+
+
+def test_the_last_two_rows_are_exchanged_whose_last_axis_points_the_other_way() -> None:
+    key = [("-pi/2", 0, 0, "q1"), (0, "L1", 0, "q2"), ("pi/2", 0, 0, "q3"), (0, 0, "L2", "q4")]
+    rows = [*key[:2], ("pi", 0, "L2", "q3"), ("pi/2", 0, 0, "q4")]
+    verdict = grade(read("standard", key), read("standard", rows), FREE)
     assert "rows_out_of_order" in [entry.code for entry in verdict.feedback]
 
 
