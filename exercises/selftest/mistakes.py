@@ -20,7 +20,7 @@ from kinematics.expressions import (
     pi_times,
     rational_value,
 )
-from kinematics.table import Convention, DHTable, JointType, SymbolicRow
+from kinematics.table import DHTable, JointType, SymbolicRow
 
 QUARTER = pi_times(Fraction(1, 2))
 _OTHER = {JointType.REVOLUTE: JointType.PRISMATIC, JointType.PRISMATIC: JointType.REVOLUTE}
@@ -66,13 +66,9 @@ def _turned(row: SymbolicRow) -> SymbolicRow | None:
 
 
 def _rows_swapped(read: ReadTable) -> Iterator[ReadTable]:
-    """Neighbours exchanged; but what no other row has may stand at an end, where two cells say as much."""
     rows = read.table.rows
-    end = 0 if read.table.convention is Convention.MODIFIED else len(rows) - 1
-    twists = {twist for k, row in enumerate(rows) if k != end for twist in (row.alpha, negate(row.alpha))}
-    apart = rows[end].a != ZERO or rows[end].alpha not in {ZERO, *twists}
     for i in range(len(rows) - 1):
-        if rows[i] != rows[i + 1] and not (apart and end in (i, i + 1)):
+        if rows[i] != rows[i + 1]:
             yield _rows(read, (*rows[:i], rows[i + 1], rows[i], *rows[i + 2 :]))
 
 

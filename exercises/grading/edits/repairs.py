@@ -16,7 +16,7 @@ from exercises.grading.edits.misconceptions import RANKS
 from exercises.grading.edits.row_edits import any_row_left_out, joint_left_out, row_left_out, twists_of
 from exercises.grading.edits.scope import ANY_EDIT
 from exercises.grading.edits.sieve import Sieve
-from exercises.grading.edits.table_edits import other_convention
+from exercises.grading.edits.table_edits import hides_an_entry, other_convention
 from exercises.grading.edits.trials import (
     Catalogue,
     Finish,
@@ -145,6 +145,9 @@ def _found(work: Work, *, pairs: bool) -> Iterator[Repaired]:
         if found:
             if pairs and all(change.code == "row_missing" for change in found):
                 yield from _pairs(work, _nearer(work, here, joint_left_out))
+            elif pairs and all(one.code == "rows_swapped" and hides_an_entry(work, one) for one in found):
+                others = [trial for trial in _nearer(work, here) if trial.change.code != "rows_swapped"]
+                yield from _pairs(work, others)
             return
     if pairs and lined is not None:
         for repaired in _pairs(lined, _nearer(lined, tried_unchanged(lined))):

@@ -114,8 +114,6 @@ def rows_swapped(work: Work) -> Iterator[Change]:
         table = None
         if not differ and work.scope.is_left_wrong(_both(i, j), _exchanged(rows, i, j)):
             continue
-        if not differ and _is_beyond_the_joints(work, i, j):
-            continue
         if differ:
             order = list(rows)
             order[i], order[j] = other, one
@@ -129,16 +127,16 @@ def rows_swapped(work: Work) -> Iterator[Change]:
             yield Change("rows_swapped", Extent.ROW, i, None, tuple(cells), table, _both(i, j), params)
 
 
-def _is_beyond_the_joints(work: Work, i: int, j: int) -> bool:
-    """Whether an exchange puts what no row of the key has where no fact asks for it: that is no exchange.
+def puts_a_foreign_row_last(work: Work, exchange: Change) -> bool:
+    """Return whether an exchange of rows puts what no row of the key has where no fact asks for it.
 
     Before the first joint is `a` and α of the first row of a modified table, behind the last one that of the
     last row of a standard one.
     """
-    rows = work.table.rows
-    if work.table.convention is Convention.MODIFIED:
-        return i == 0 and is_foreign(work, rows[j])
-    return j == len(rows) - 1 and is_foreign(work, rows[i])
+    rows, exchanged = work.table.rows, {row for row, _ in exchange.places}
+    modified = work.table.convention is Convention.MODIFIED
+    end = 0 if modified else len(rows) - 1
+    return end in exchanged and any(is_foreign(work, rows[row]) for row in exchanged - {end})
 
 
 def is_foreign(work: Work, row: NumericRow, cells: Sequence[str] = ALONG_X) -> bool:

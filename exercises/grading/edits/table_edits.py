@@ -11,7 +11,7 @@ from itertools import combinations
 from operator import neg
 
 from exercises.grading.edits.changes import Change, Extent, with_rows
-from exercises.grading.edits.row_edits import ALONG_X, is_foreign
+from exercises.grading.edits.row_edits import ALONG_X, is_foreign, puts_a_foreign_row_last
 from exercises.grading.edits.work import Work
 from exercises.grading.judging.typed import SAME, Place, meant_in_radians
 from kinematics.cells import AngleUnit
@@ -168,11 +168,14 @@ def _along_x_of(
 
 
 def hides_an_entry(work: Work, change: Change) -> bool:
-    """Return whether an entry that no key has is as good as none with a change throughout the table.
+    """Return whether an entry that no key has is as good as none with a change of rows or of the whole table.
 
-    A wrong twist or length is before the first joint and behind the last one, where columns may be moved to
-    by a row or by the other convention; and a small twist is that is read in degrees instead of radians.
+    A wrong twist or length is before the first joint and behind the last one, where an exchange of rows may
+    put it, or the other convention, or columns a row early or late; and a small twist is that is read in
+    degrees instead of radians.
     """
+    if change.code == "rows_swapped":
+        return change.table is None and puts_a_foreign_row_last(work, change)
     if change.code == "angles_in_degrees":
         least = work.policy.tolerance.angle
         return any(

@@ -86,6 +86,7 @@ ANSWERS: dict[str, tuple[ReadTable, ReadTable, Policy, Told, list[Told], float]]
         [
             [("convention", None), ("a_value", 2)],
             [("a_value", 2), ("a_value", 3)],
+            [("rows_swapped", 1), ("a_value", 3)],
         ],
         0.0,
     ),
