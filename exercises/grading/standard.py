@@ -129,12 +129,12 @@ def shared_across_prismatic(work: Work, standard: Standard) -> float:
     offset and a turn. One edit mends all of them in some frames, in others two do; the score is the same.
     """
     wrong, least = wrong_of(work, standard), 0.0
-    for without in without_each_gap(standard):
+    for without in _without_each_gap(standard):
         least = max(least, wrong - wrong_of(work, without) - CELL)
     return least
 
 
-def without_each_gap(standard: Standard) -> list[Standard]:
+def _without_each_gap(standard: Standard) -> list[Standard]:
     """The standard without what lies across prismatic joints, for each group of them."""
     facts = standard.facts
     return [

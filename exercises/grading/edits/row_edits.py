@@ -127,7 +127,7 @@ def rows_swapped(work: Work) -> Iterator[Change]:
             yield Change("rows_swapped", Extent.ROW, i, None, tuple(cells), table, _both(i, j), params)
 
 
-def puts_a_foreign_row_last(work: Work, exchange: Change) -> bool:
+def ends_in_a_foreign_row(work: Work, exchange: Change) -> bool:
     """Return whether an exchange of rows puts what no row of the key has where no fact asks for it.
 
     Before the first joint is `a` and α of the first row of a modified table, behind the last one that of the

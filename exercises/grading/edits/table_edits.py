@@ -11,7 +11,7 @@ from itertools import combinations
 from operator import neg
 
 from exercises.grading.edits.changes import Change, Extent, with_rows
-from exercises.grading.edits.row_edits import ALONG_X, is_foreign, puts_a_foreign_row_last
+from exercises.grading.edits.row_edits import ALONG_X, ends_in_a_foreign_row, is_foreign
 from exercises.grading.edits.work import Work
 from exercises.grading.judging.typed import SAME, Place, meant_in_radians
 from kinematics.cells import AngleUnit
@@ -175,7 +175,7 @@ def hides_an_entry(work: Work, change: Change) -> bool:
     degrees instead of radians.
     """
     if change.code == "rows_swapped":
-        return change.table is None and puts_a_foreign_row_last(work, change)
+        return change.table is None and ends_in_a_foreign_row(work, change)
     if change.code == "angles_in_degrees":
         least = work.policy.tolerance.angle
         return any(

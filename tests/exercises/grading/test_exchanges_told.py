@@ -7,6 +7,7 @@ from exercises.grading.edits.row_edits import is_foreign
 from exercises.grading.explanation import work_on
 from exercises.grading.judging.comparison import comparisons
 from kinematics.table import bind
+from tests.exercises.grading.test_typed_before_zeros import PUMA
 from tests.exercises.grading.told import repairs
 from tests.exercises.grading.written import Cell, read
 
@@ -30,6 +31,7 @@ KUKA: Rows = [
     (90, 0, "-L4", "q6"),
     (180, 0, 0, 180),
 ]
+ENDED: Rows = [(0, 0, 0, "q1"), (90, "L1", 0, "q2"), (0, "L2", 0, "q3"), (0, "L3", 0, 0)]
 COLUMNS = ("alpha", "a", "d", "theta")
 
 
@@ -107,8 +109,7 @@ def test_two_lengths_of_the_last_joint_are_told_and_no_row_behind_it() -> None:
 @pytest.mark.parametrize("wrong", [(2, "d", "L1"), (2, "alpha", 0), (3, "a", "L1")])
 def test_beside_another_mistake_a_last_row_of_zeros_lacks_its_length(wrong: tuple[int, str, Cell]) -> None:
     """A row was said to be missing behind it."""
-    key: Rows = [(0, 0, 0, "q1"), (90, "L1", 0, "q2"), (0, "L2", 0, "q3"), (0, "L3", 0, 0)]
-    verdict = _told(key, POINT, wrong, (4, "a", 0))
+    verdict = _told(ENDED, POINT, wrong, (4, "a", 0))
     assert ("a_missing", 4) in [(edit.code, edit.row) for edit in verdict.repairs[0].edits]
     assert "row_missing" not in [entry.code for entry in verdict.feedback]
 
@@ -116,9 +117,8 @@ def test_beside_another_mistake_a_last_row_of_zeros_lacks_its_length(wrong: tupl
 @pytest.mark.parametrize("rows", [1, 2, 3])
 def test_of_last_rows_of_zeros_the_first_lacks_the_length(rows: int) -> None:
     """It might stand in any of them: they were all accused."""
-    key: Rows = [(0, 0, 0, "q1"), (90, "L1", 0, "q2"), (0, "L2", 0, "q3"), (0, "L3", 0, 0)]
-    answer: Rows = [*key[:3], *[(0, 0, 0, 0)] * rows]
-    verdict = grade(read("modified", key, "deg"), read("modified", answer, "deg"), POINT)
+    answer: Rows = [*ENDED[:3], *[(0, 0, 0, 0)] * rows]
+    verdict = grade(read("modified", ENDED, "deg"), read("modified", answer, "deg"), POINT)
     assert [[(edit.code, edit.row) for edit in repair.edits] for repair in verdict.repairs] == [
         [("a_missing", 4)]
     ]
@@ -145,16 +145,8 @@ def test_an_offset_beside_a_twist_that_hides_it_is_told_in_its_own_row(row: int)
 
 def test_beside_a_wrong_length_all_signs_that_mirror_the_arm_are_told() -> None:
     """Exchanges within row 1 left no room for them: row 3, which is right, was accused alone."""
-    key: Rows = [
-        (90, 0, 0, "q1"),
-        (0, "a2", 0, "q2"),
-        (-90, "a3", "d3", "q3"),
-        (90, 0, "d4", "q4"),
-        (-90, 0, 0, "q5"),
-        (0, 0, 0, "q6"),
-    ]
-    answer: Rows = [(90, "a2", 0, "q1"), *key[1:3], (90, 0, "-d4", "q4"), *key[4:]]
-    verdict = grade(read("standard", key, "deg"), read("standard", answer, "deg"), Policy())
+    answer: Rows = [(90, "a2", 0, "q1"), *PUMA[1:3], (90, 0, "-d4", "q4"), *PUMA[4:]]
+    verdict = grade(read("standard", PUMA, "deg"), read("standard", answer, "deg"), Policy())
     told = [(entry.code, entry.row) for entry in verdict.feedback]
     assert told[1:] == [("length_wrong", 1), ("one_of_these", None), ("sign_wrong", 3), ("sign_wrong", 4)]
 
