@@ -19,7 +19,10 @@ from exercises.selftest.variants import some_lengths, variant
 from kinematics.catalogue import robots
 from kinematics.cells import RawRow, RawTable, ReadTable, read_table
 from kinematics.cells.substitution import substitute
-from kinematics.equivalence import Certificate, decide, rounding_tolerance
+from kinematics.chain import chain_of_table
+from kinematics.equivalence import Certificate, rounding_tolerance
+from kinematics.equivalence.decision import certify
+from kinematics.equivalence.reference import prepared
 from kinematics.expressions import ZERO, Expression, Number, Parameter, add, multiply, parameters_in, pi_times
 from kinematics.table import CELLS, Convention, DHRow, DHTable, JointType, NumericTable, SymbolicTable, bind
 from service.work.collection import new_objects_alone
@@ -233,7 +236,7 @@ def wrong_names(block: int, tables: int = TABLES_PER_BLOCK) -> Outcome:
         judged_as = {is_accepted(key, answer, Policy(), drawn) for drawn in students}
         fresh = {n: rng.uniform(0.3, 1.7) for n in key.parameters}
         there, reference = bind(answer.table, fresh), bind(key.table, fresh)
-        certificate = decide(reference, there, Policy(tolerance=EXACT)).certificate
+        certificate = certify((prepared(reference),), (chain_of_table(there),), Policy(tolerance=EXACT))
         if judged_as != {certificate is not None}:
             outcome.failures.append(f"accepted is {judged_as}: {place}")
         if certificate is not None:
