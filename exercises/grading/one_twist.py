@@ -8,7 +8,9 @@ import numpy as np
 from exercises.grading.edits.changes import with_row
 from exercises.grading.edits.work import WORK_OF_ONE_EDIT, Work
 from kinematics.chain import Axis
+from kinematics.equivalence.batches import axis_batch
 from kinematics.equivalence.decision import is_certified
+from kinematics.equivalence.invariants import axes_of
 from kinematics.equivalence.meter import Meter
 from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.search import Effort
@@ -23,7 +25,7 @@ def has_one_other_twist(work: Work) -> bool:
     table, answer = work.reference.table, work.chain
     ours, theirs = (_cosines(chain.axes) for chain in (work.reference.chain, answer))
     other = np.flatnonzero(np.abs(np.abs(ours) - np.abs(theirs)) > work.policy.tolerance.angle)
-    if len(other) != 1:
+    if len(other) != 1 or not _has_every_twist_but(work, int(other[0])):
         return False
     joints = [i for i, row in enumerate(table.rows) if row.joint is not JointType.FIXED]
     before, behind = joints[other[0]], joints[other[0] + 1]
@@ -43,6 +45,15 @@ def has_one_other_twist(work: Work) -> bool:
             is_certified((prepared(other),), (answer,), work.policy, Effort.PLAIN, meter) for other in others
         )
     return False
+
+
+def _has_every_twist_but(work: Work, joint: int) -> bool:
+    """Whether all angles between axes are the key's but those across a joint and the next, to their digits."""
+    facts, axes = work.facts, axes_of(work.chain, work.policy)
+    off = (facts.strains(facts.measured(axis_batch([axes]))) > 1.0) & facts.arrays.twists
+    # the base's place stands before the first joint
+    across = (facts.arrays.first <= joint + 1) & (facts.arrays.last >= joint + 2)
+    return not bool((off & ~across).any())
 
 
 def _cosines(axes: Sequence[Axis]) -> Floats:

@@ -190,6 +190,21 @@ def test_one_other_twist_costs_one_fact_in_whatever_frames(convention: Conventio
     assert max(worse) < min(scores)
 
 
+@pytest.mark.parametrize("second", [0.903, 0.92])
+def test_a_second_wrong_twist_costs_under_every_rule_what_it_costs_without(second: float) -> None:
+    """0.903 for 0.9 is within the tolerance of a pose, but more than its digits explain."""
+
+    def arm(one: float, two: float) -> Rows:
+        return [(one, "L1", 0, "q1"), (two, "L2", 0, "q2"), (0, "L1", 0, "q3")]
+
+    key, answer, values = arm(0.3217, 0.9), arm(1.57, second), {"L1": 0.4, "L2": 0.3}
+    scores = {
+        tool: grade(read("standard", key), read("standard", answer), Policy(tool=tool), values).score
+        for tool in (ToolRule.FREE, ToolRule.AXIS)
+    }
+    assert set(scores.values()) == {0.6}
+
+
 def _with_twist(table: NumericTable, row: int, more: float) -> NumericTable:
     rows = list(table.rows)
     rows[row] = replace(rows[row], alpha=rows[row].alpha + more)
