@@ -48,7 +48,7 @@ def has_one_other_twist(work: Work) -> bool:
 
 
 def _has_every_twist_but(work: Work, joint: int) -> bool:
-    """Whether all angles between axes are the key's but those across a joint and the next, to their digits."""
+    """Whether the angles between all other neighbouring axes are the key's, to their digits."""
     facts, axes = work.facts, axes_of(work.chain, work.policy)
     off = (facts.strains(facts.measured(axis_batch([axes]))) > 1.0) & facts.arrays.twists
     # the base's place stands before the first joint

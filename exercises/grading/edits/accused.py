@@ -8,7 +8,7 @@ from typing import NamedTuple
 from exercises.grading.edits.changes import Change, Extent
 from exercises.grading.edits.own_table import is_length_of, is_own_table
 from exercises.grading.edits.repairs import Repaired
-from kinematics.table import LENGTHS, NumericTable
+from kinematics.table import CELLS, LENGTHS, NumericRow, NumericTable
 
 
 def own_table_first(
@@ -126,14 +126,19 @@ def _equally_good(singles: Sequence[Change], table: NumericTable, key: NumericTa
     where it becomes a length of the key and the zero doesn't. An offset is so only in the key's own table to
     the letter: along parallel axes, what is missing in one row makes it any number in another. A variable was
     forgotten, rather than a row left out, where there is a row for every joint; and a row is not needed,
-    rather than its variable, where the table does without it.
+    rather than its variable, where the table does without it, nor that of another, where every row of the
+    key has one or the row holds nothing else.
     """
     if singles[0].row is None:
         return ()
     best, is_offset = singles[0], singles[0].cell == "d"
     alike = tuple(change for change in singles if change.extent is best.extent and change.row is not None)
-    not_needed = {change.row for change in alike if change.code == "row_extra"}
-    alike = tuple(one for one in alike if one.code != "joint_moving" or one.row not in not_needed)
+    not_needed = [change.row for change in alike if change.code == "row_extra" and change.row is not None]
+    all_move = bool(not_needed) and len(key.rows) == key.n_joints
+    one_too_many = all_move or any(_is_of_zeros(table.rows[row]) for row in not_needed)
+    alike = tuple(
+        one for one in alike if one.code != "joint_moving" or not (one_too_many or one.row in not_needed)
+    )
     forgotten = tuple(change for change in alike if change.code == "joint_fixed")
     if forgotten and len(table.rows) >= key.n_joints:
         return forgotten
@@ -145,6 +150,10 @@ def _equally_good(singles: Sequence[Change], table: NumericTable, key: NumericTa
     if not is_offset and any(_is_of_the_key(change, key) for change in typed):
         return tuple(change for change in alike if change in typed or _is_of_the_key(change, key))
     return alike
+
+
+def _is_of_zeros(row: NumericRow) -> bool:
+    return not any(getattr(row, cell) for cell in CELLS)
 
 
 def _is_of_the_key(change: Change, key: NumericTable) -> bool:

@@ -194,6 +194,7 @@ CATALOGUE: tuple[Misconception, ...] = (
         code="turns_all_reversed", changes=all_turns_turned_round, hint="turns_throughout", sizes=NONE
     ),
     Misconception(code="joint_type", changes=joint_of_other_type, types=1, beforehand=True),
+    Misconception(code="row_extra", changes=row_too_many, hint="row_not_needed", counts=True),
     Misconception(
         code="joint_fixed", changes=joint_left_out, told_as=("joint_fixed", "joint_moving"), counts=True
     ),
@@ -202,7 +203,6 @@ CATALOGUE: tuple[Misconception, ...] = (
     ),
     Misconception(code="row_missing", changes=row_left_out, hint="row_missing", counts=True),
     Misconception(code="fixed_row_missing", changes=fixed_row_left_out, hint="row_missing", sizes=NONE),
-    Misconception(code="row_extra", changes=row_too_many, hint="row_not_needed", counts=True),
 )
 
 

@@ -5,7 +5,7 @@ from random import Random
 
 import pytest
 
-from exercises.grading import BaseRule, Policy, ToolRule, grade
+from exercises.grading import BaseRule, HelpLevel, Policy, ToolRule, grade
 from exercises.grading.edits.joint_places import joint_places
 from exercises.grading.edits.work import Work
 from exercises.grading.explanation import work_on
@@ -127,3 +127,17 @@ def test_of_a_row_typed_twice_it_is_told_once_that_it_is_not_needed(name: str, r
     assert {code for code, at in told if at is not None} == {"row_not_needed"}
     assert {("row_not_needed", row), ("row_not_needed", row + 1)} <= set(told)
     assert len(told) == len(set(told))
+
+
+@pytest.mark.parametrize("name", ["rx90", "kr125", "puma600", "panda"])
+@pytest.mark.parametrize("level", [HelpLevel.KIND, HelpLevel.ROW, HelpLevel.REPAIR])
+def test_one_joint_more_at_the_end_is_told_as_its_row_alone(name: str, level: HelpLevel) -> None:
+    """A joint before it could lose its variable as well; two of these robots end in a row without one."""
+    key = dict(catalogue())[name]
+    more = DHRow(joint=JointType.REVOLUTE, theta=0.0, d=0.0, a=0.0, alpha=0.0)
+    longer = replace(key, rows=(*key.rows, more))
+    verdict = grade(written(key), written(longer), FREE, None, level)
+    told = {(entry.code, entry.row) for entry in verdict.feedback if entry.row is not None}
+    assert told == {("row_not_needed", len(longer.rows))}
+    if level is HelpLevel.REPAIR:
+        assert [edit.code for edit in verdict.repairs[0].edits] == ["row_extra"]
