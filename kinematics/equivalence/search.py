@@ -260,10 +260,8 @@ class Search:
         submission = self.submissions[draw]
         path = forced_path(plan, submission, plan.starts[way.start], way.signs)
         here = compose(path.totals[-1] if path.totals else path.start, submission.end)
-        placed = placements(choice, here)
-        if way.placement >= len(placed):
-            return None
-        return self._candidate(draw, plan, choice, path._replace(last=placed[way.placement]))
+        last = placements(choice, here)[way.placement]
+        return self._candidate(draw, plan, choice, path._replace(last=last))
 
     def _plan_and_choice(self, draw: int, way: Way) -> tuple[Plan, ToolChoice] | None:
         reference, near = self.references[draw], self.near(draw)
