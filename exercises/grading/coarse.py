@@ -7,7 +7,7 @@ import numpy as np
 
 from exercises.grading.axis_directions import fixed_ends
 from exercises.grading.edits.own_table import is_length_of
-from exercises.grading.edits.repairs import Repaired
+from exercises.grading.edits.repaired import Repaired
 from exercises.grading.edits.throughout import as_the_key_has_them
 from exercises.grading.edits.work import WORK_OF_ONE_EDIT, Work
 from exercises.grading.facts import Facts

@@ -15,7 +15,8 @@ from typing import NamedTuple
 from exercises.grading.coarse import is_right_with_more_digits, is_rounded_too_much
 from exercises.grading.edits.accused import accused, own_table_first
 from exercises.grading.edits.changes import Change
-from exercises.grading.edits.repairs import MOST_WORK, Repaired, find_repairs
+from exercises.grading.edits.repaired import Repaired
+from exercises.grading.edits.repairs import MOST_WORK, find_repairs
 from exercises.grading.edits.table_edits import hides_an_entry
 from exercises.grading.edits.throughout import ROUNDED, seen_throughout
 from exercises.grading.edits.work import Work

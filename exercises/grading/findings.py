@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from exercises.grading.edits.accused import Accused
 from exercises.grading.edits.changes import Change, Extent
 from exercises.grading.edits.misconceptions import HINTS
-from exercises.grading.edits.repairs import Repaired
+from exercises.grading.edits.repaired import Repaired
 from exercises.grading.edits.throughout import ROUNDED
 from exercises.grading.judging.judgement import lacks_precision
 from exercises.grading.verdict import Edit, Feedback, Finding, HelpLevel, LinkFinding, ParamValue, Repair

@@ -5,7 +5,7 @@ from dataclasses import replace
 from functools import lru_cache
 
 from exercises.grading.edits.in_common import in_common
-from exercises.grading.edits.repairs import Repaired
+from exercises.grading.edits.repaired import Repaired
 from exercises.grading.explanation import Diagnosis, Refused, as_typed, clearest, diagnosis, explanation
 from exercises.grading.facts import Weights
 from exercises.grading.findings import all_right

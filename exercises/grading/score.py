@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from exercises.grading.edits.changes import Change, Extent, with_joints_mended
 from exercises.grading.edits.misconceptions import CATALOGUE
-from exercises.grading.edits.repairs import Repaired
+from exercises.grading.edits.repaired import Repaired
 from exercises.grading.edits.table_edits import hides_an_entry
 from exercises.grading.edits.work import Work
 from exercises.grading.facts import Weights

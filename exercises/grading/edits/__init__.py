@@ -11,8 +11,9 @@ fitting, joint_places  values and places that fit
 last_row       the row that leads to the frame which is asked for
 sieve          edits that are seen to fail, without measuring
 trials, misfits  all edits at once, and what of the key each leaves missing
-certainty      edits that are seen to mend the table, without a search
+certainty      edits that are seen to mend the table, or not to, without a search
 repairs        the smallest edits that mend the table
+repaired       what is found: edits that mend it together
 accused        which of them explain an answer: the likeliest, and what is as good
 in_common      what equally small ones share
 own_table      whether a table is the key's own

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from exercises.grading.edits.changes import Change, Extent
 from exercises.grading.edits.own_table import is_length_of, is_own_table
-from exercises.grading.edits.repairs import Repaired
+from exercises.grading.edits.repaired import Repaired
 from kinematics.table import CELLS, LENGTHS, NumericRow, NumericTable
 
 
@@ -23,7 +23,6 @@ def own_table_first(
     """
     if repairs and len(repairs[0].changes) > 1:
         repairs = sorted(repairs, key=lambda repaired: not repaired.is_of_signs)
-        repairs = [one for one in repairs if not _says_more_than_a_cell(one, repairs)]
     if len(repairs) < 2 or repairs[0].of(table) is None:
         return tuple(repairs)
 
@@ -38,19 +37,6 @@ def own_table_first(
     of_a_cell = len(repairs[0].changes) == 1 and repairs[0].changes[0].extent is Extent.CELL
     told = [one for one in repairs if not (of_a_cell and len(one.changes) == 1 and is_of_one_row(one))]
     return tuple(sorted(told, key=leads_elsewhere))
-
-
-def _says_more_than_a_cell(repaired: Repaired, repairs: Sequence[Repaired]) -> bool:
-    """Whether one of two edits is an exchange within a row, of which one cell would do as well.
-
-    What stands in the other cell of the row may be anything, or is wrong by itself.
-    """
-    rows = {one.row for one in repaired.changes if one.code == "a_d_swapped"}
-    return bool(rows) and any(
-        all(change.extent is Extent.CELL for change in other.changes)
-        and rows <= {change.row for change in other.changes}
-        for other in repairs
-    )
 
 
 class Accused(NamedTuple):

@@ -1,4 +1,4 @@
-"""Edits that are seen to make a table right, all at once: no certificate is searched for.
+"""Edits that are seen to make a table right, or to leave it wrong: no certificate is searched for.
 
 An arm of revolute joints is determined by the angles and the distances of neighbouring axes and the offsets
 between their common normals: axis by axis, each follows from the one before but for a turn about that one,
@@ -16,7 +16,7 @@ from exercises.grading.axis_directions import least_cost
 from exercises.grading.edits.changes import Change
 from exercises.grading.edits.work import Work
 from kinematics.caching import USUAL_ROWS, cached_by_size
-from kinematics.equivalence import BaseRule, DirectionRule, Policy, ToolRule, ZeroRule
+from kinematics.equivalence import BaseRule, DirectionRule, Kind, Policy, ToolRule, ZeroRule
 from kinematics.equivalence.decision import EXACT, convention_fits
 from kinematics.equivalence.invariants import STEEPEST, Invariants, invariants_of
 from kinematics.equivalence.meter import per_batch
@@ -73,6 +73,27 @@ def surely_right(work: Work, edits: Sequence[tuple[Sequence[Change], Floats | No
     for (number, _), is_right in zip(made, at_all, strict=True):
         sure[number] = is_right
     return sure
+
+
+def rows_of_missed_ends(work: Work) -> list[frozenset[int]]:
+    """Return for each rule `axis` that a table is seen not to keep the rows from the joint at that end on."""
+    missed = work.ends_beside_joints()
+    if not missed:
+        return []
+    first, last = work.table.joint_rows[0], work.table.joint_rows[-1]
+    rows = {Kind.BASE: range(first + 1), Kind.TOOL: range(last, len(work.table.rows))}
+    return [frozenset(rows[kind]) for kind in missed]
+
+
+def surely_miss(ends: Sequence[frozenset[int]], changes: Sequence[Change]) -> bool:
+    """Return whether edits leave a rule broken that a table does not keep.
+
+    Args:
+        ends: the rows in which each such rule is broken.
+        changes: the edits, one after the other.
+    """
+    changed = {row for change in changes for row, *_ in change.cells}
+    return all(change.table is None for change in changes) and any(map(changed.isdisjoint, ends))
 
 
 @cached_by_size(lambda keys, policy: len(keys[0].table.rows), longest=USUAL_ROWS, most=256, few=32)

@@ -5,14 +5,15 @@ Three only where the number of joints is wrong, and one of them is the conventio
 
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import islice
 
 from exercises.grading.edits.cell_edits import any_cell
-from exercises.grading.edits.certainty import surely_right
+from exercises.grading.edits.certainty import rows_of_missed_ends, surely_miss, surely_right
 from exercises.grading.edits.changes import Change, Extent, after
 from exercises.grading.edits.fitting import MOST_SIGNS
 from exercises.grading.edits.misconceptions import RANKS
+from exercises.grading.edits.repaired import Repaired, without_exchanges
 from exercises.grading.edits.row_edits import any_row_left_out, joint_left_out, row_left_out, twists_of
 from exercises.grading.edits.scope import ANY_EDIT
 from exercises.grading.edits.sieve import Sieve
@@ -51,26 +52,6 @@ FEWEST_JOINTS = 3  # Of fewer, three edits make almost anything.
 MOST_JOINTS_APART = 2  # A single edit adds or removes one joint.
 
 
-@dataclass(frozen=True, slots=True)
-class Repaired:
-    """Changes that together make the table right."""
-
-    changes: tuple[Change, ...]
-
-    @property
-    def is_of_signs(self) -> bool:
-        """Whether nothing is changed but signs."""
-        return all(change.code.endswith(("_sign", "_all_reversed")) for change in self.changes)
-
-    def of(self, table: NumericTable) -> NumericTable | None:
-        """Return the table that a table becomes; None where one of two edits is of more than cells."""
-        if len(self.changes) > 1 and any(change.table is not None for change in self.changes):
-            return None
-        for change in self.changes:
-            table = change.of(table)
-        return table
-
-
 def find_repairs(work: Work, *, pairs: bool = True) -> tuple[Repaired, ...]:
     """Return the repairs of a wrong table, likeliest first; of two edits only if no one edit helps.
 
@@ -84,14 +65,16 @@ def find_repairs(work: Work, *, pairs: bool = True) -> tuple[Repaired, ...]:
         return ()
     found: list[Repaired] = []
     with suppress(WorkExhaustedError):
-        for repaired in islice(_found(work, pairs=pairs), MOST_REPAIRS):
+        for repaired in _found(work, pairs=pairs):
             found.append(repaired)  # what was found before the work ran out counts
             exchanged = next(_twists_exchanged(work, repaired), None)
             if exchanged is not None:
                 return (Repaired((exchanged,)),)
+            if len(without_exchanges(found)) == MOST_REPAIRS:
+                break
     if not found and pairs and work.excess and work.table.n_joints >= FEWEST_JOINTS:
         found += _in_the_other_convention(work)
-    return tuple(found)
+    return tuple(without_exchanges(found))
 
 
 def _twists_exchanged(work: Work, repaired: Repaired) -> Iterator[Change]:
@@ -209,7 +192,12 @@ def _mending(
         effort: how hard to try.
     """
     told: set[frozenset[tuple[str, int | None, str | None]]] = set()
-    placed = ((frozenset((one.code, one.row, one.cell) for one in edit[1]), *edit) for edit in edits)
+    ends = rows_of_missed_ends(work)
+    placed = (
+        (frozenset((one.code, one.row, one.cell) for one in edit[1]), *edit)
+        for edit in edits
+        if not surely_miss(ends, edit[1])
+    )
     untold = (edit for edit in placed if edit[0] not in told)
     while some := list(islice(untold, MOST_REPAIRS)):
         seen = surely_right(work, [(changes, None if one.sure else one.found) for *_, changes, one in some])

@@ -7,7 +7,7 @@ from exercises.grading.edits.accused import _is_of_the_key, own_table_first
 from exercises.grading.edits.changes import Change, Extent
 from exercises.grading.edits.in_common import in_common
 from exercises.grading.edits.own_table import is_own_table
-from exercises.grading.edits.repairs import Repaired
+from exercises.grading.edits.repaired import Repaired
 from tests.exercises.answering import judged, table
 from tests.kinematics.equivalence.tables import R, changed, standard
 

@@ -7,6 +7,7 @@ import pytest
 from exercises.grading import BaseRule, HelpLevel, Policy, ToolRule, Verdict, ZeroRule, grade
 from exercises.grading.explanation import work_on
 from exercises.grading.judging.comparison import comparisons
+from tests.exercises.grading.test_grade import PUMA, VALUES, with_cells
 from tests.exercises.grading.told import codes, repairs
 from tests.exercises.grading.written import Cell, read
 
@@ -95,3 +96,14 @@ def test_a_line_that_is_kept_is_looked_for_where_the_zeros_are_fixed_as_well(zer
         to_the_letter = is_off or zero is ZeroRule.FIGURE
         assert (work.for_lines() is not None) is is_off
         assert (work.for_lines(to_the_letter=True) is not None) is to_the_letter
+
+
+def test_a_sign_that_mirrors_the_arm_is_told_in_each_row_beside_a_line_that_is_missed() -> None:
+    """No edit of another row brings z_6 back onto the axis of joint 6: none of these is tried at length."""
+    rows = with_cells(PUMA, (4, 2, "-d4"), (6, 1, 0.1))
+    verdict = grade(read("standard", PUMA), read("standard", rows), AXIS, VALUES)
+    told = {edit for repair in repairs(verdict) for edit in repair}
+    assert {("d_sign", 4), ("d_sign", 3), ("a_sign", 3), ("alpha_sign", 3)} <= told
+    assert all(("a_not_zero", 6) in repair for repair in repairs(verdict))
+    assert {entry.row for entry in verdict.feedback if entry.row} == {3, 4, 6}
+    assert "one_of_these" in codes(verdict)

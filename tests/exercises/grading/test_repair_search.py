@@ -18,7 +18,8 @@ from exercises.grading import (
     grade,
 )
 from exercises.grading.edits import repairs
-from exercises.grading.edits.repairs import MOST_WORK, Repaired, find_repairs
+from exercises.grading.edits.repaired import Repaired
+from exercises.grading.edits.repairs import MOST_WORK, find_repairs
 from exercises.grading.edits.work import Work
 from exercises.grading.explanation import work_on
 from exercises.grading.facts import Weights

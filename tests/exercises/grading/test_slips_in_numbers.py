@@ -6,7 +6,8 @@ from itertools import combinations
 import pytest
 
 from exercises.grading import Policy, ToolRule, explanation, grade
-from exercises.grading.edits.repairs import Repaired, find_repairs
+from exercises.grading.edits.repaired import Repaired
+from exercises.grading.edits.repairs import find_repairs
 from exercises.grading.edits.work import Work
 from exercises.grading.judging.name_values import FREE_ATTEMPTS, Values, drawn_value
 from exercises.grading.judging.typed import meant_in_radians
