@@ -77,10 +77,10 @@ def surely_right(work: Work, edits: Sequence[tuple[Sequence[Change], Floats | No
 
 def rows_of_missed_ends(work: Work) -> list[frozenset[int]]:
     """Return for each rule `axis` that a table is seen not to keep the rows from the joint at that end on."""
-    missed = work.ends_beside_joints()
-    if not missed:
+    joints = work.table.joint_rows
+    if not joints or _keeps_rules(work.table, work.policy):
         return []
-    first, last = work.table.joint_rows[0], work.table.joint_rows[-1]
+    missed, first, last = work.ends_beside_joints(), joints[0], joints[-1]
     rows = {Kind.BASE: range(first + 1), Kind.TOOL: range(last, len(work.table.rows))}
     return [frozenset(rows[kind]) for kind in missed]
 
