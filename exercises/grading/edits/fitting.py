@@ -219,8 +219,9 @@ def _angles(around: Sequence[float], target: float) -> Iterator[float]:
 def _turns(square: float, beside: float, here: float, target: float) -> Iterator[float]:
     """Angles about a prismatic joint, found from the present one: it enters as plus or minus itself."""
     now = math.sqrt(square)
-    if abs(math.sqrt(beside) - now) < INFLUENCE:
-        return
+    changed = abs(math.sqrt(beside) - now)
+    if not INFLUENCE <= changed <= SMALL_TURN * (1.0 + INFLUENCE):
+        return  # by more it changes only where axes were parallel, which have no turn
     for change in (target - now, -target - now, target + now, now - target):
         for half in (0.0, math.pi):
             yield math.remainder(here + change + half, math.tau)

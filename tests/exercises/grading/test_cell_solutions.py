@@ -7,7 +7,14 @@ import numpy as np
 import pytest
 
 from exercises.grading import Policy, ToolRule
-from exercises.grading.edits.fitting import MOST_SIGNS, _angles, _lengths, _likely_signs, _turns
+from exercises.grading.edits.fitting import (
+    MOST_SIGNS,
+    SMALL_TURN,
+    _angles,
+    _lengths,
+    _likely_signs,
+    _turns,
+)
 from kinematics.chain import chain_of_table
 from kinematics.equivalence.cell_fitting import fitted_cells
 from kinematics.equivalence.diagnosis import likely_signs
@@ -86,7 +93,7 @@ def test_a_turn_is_met_whichever_way_the_angle_enters_it(sense: int) -> None:
         def turn(x: float, k: float = k) -> float:
             return abs(math.remainder(k + sense * x, 2.0 * math.pi))
 
-        found = list(_turns(turn(here) ** 2, turn(here + 0.01) ** 2, here, target))
+        found = list(_turns(turn(here) ** 2, turn(here + SMALL_TURN) ** 2, here, target))
         assert sum(abs(turn(x) - target) < 1e-9 for x in found) >= 2
         assert list(_turns(turn(here) ** 2, turn(here) ** 2, here, target)) == []
 

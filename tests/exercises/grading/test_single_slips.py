@@ -8,9 +8,9 @@ import pytest
 
 from exercises.grading import BaseRule, DirectionRule, HelpLevel, Policy, ToolRule, ZeroRule, grade
 from kinematics.catalogue import robots
-from kinematics.cells import ReadTable
+from kinematics.cells import AngleUnit, RawRow, RawTable, ReadTable, read_table
 from kinematics.expressions import ZERO, Expression, Number, add, multiply, parameters_in, pi_times
-from kinematics.table import CELLS, DHRow, DHTable, JointType
+from kinematics.table import CELLS, Convention, DHRow, DHTable, JointType
 
 STRICT = Policy(
     base=BaseRule.FRAME, tool=ToolRule.FRAME, zero=ZeroRule.FIGURE, direction=DirectionRule.FIGURE
@@ -30,6 +30,28 @@ def slips(row: DHRow[Expression]) -> Iterator[tuple[str, Expression]]:
             yield from ((cell, ZERO), (cell, multiply((Number(Fraction(-1)), here))))
         off = Number(Fraction(1, 3)) if cell in ("a", "d") else pi_times(Fraction(1, 6))
         yield cell, add((here, off))
+
+
+def tilted_gantry(alpha3: int) -> ReadTable:
+    """Three sliders, no two at right angles, and a wrist."""
+    rows = (
+        RawRow(joint=JointType.PRISMATIC, alpha=90, a=0, d="q1", theta=90),
+        RawRow(joint=JointType.PRISMATIC, alpha=60, a=0, d="q2", theta=90),
+        RawRow(joint=JointType.PRISMATIC, alpha=alpha3, a="w", d="q3", theta=0),
+        RawRow(joint=JointType.REVOLUTE, alpha=90, a=0, d="k", theta="q4"),
+        RawRow(joint=JointType.REVOLUTE, alpha=0, a=0, d=0, theta="q5"),
+    )
+    return read_table(RawTable(convention=Convention.STANDARD, rows=rows, angle_unit=AngleUnit.DEG))
+
+
+@pytest.mark.parametrize("alpha", [0, 180, 10, 90])
+def test_a_twist_left_out_beside_sliders_is_the_only_one_told(alpha: int) -> None:
+    """Parallel axes have no turn about a slider: one that appears once they are tilted solves nothing."""
+    verdict = grade(tilted_gantry(30), tilted_gantry(alpha), Policy())
+    assert [(entry.code, entry.row) for entry in verdict.feedback] == [
+        ("not_equivalent", None),
+        ("twist_wrong", 3),
+    ]
 
 
 @pytest.mark.parametrize("policy", [Policy(), STRICT], ids=["usual", "strict"])
