@@ -28,17 +28,20 @@ class Repaired:
 
 
 def without_exchanges(repairs: Sequence[Repaired]) -> list[Repaired]:
-    """Return repairs without those that exchange two cells of a row where one of these alone would do."""
+    """Return repairs without those that say more than cells which would do as well."""
     return [one for one in repairs if len(one.changes) == 1 or not _says_more_than_a_cell(one, repairs)]
 
 
 def _says_more_than_a_cell(repaired: Repaired, repairs: Sequence[Repaired]) -> bool:
-    """Whether one of two edits is an exchange within a row, of which one cell would do as well.
+    """Whether two edits say more than cells that would do as well.
 
-    What stands in the other cell of the row may be anything, or is wrong by itself.
+    Of an exchange within a row, what stands in the other cell may be anything, or is wrong by itself. A slip
+    throughout the table beside a row that was left out is none where two cells are all that is wrong.
     """
     rows = {one.row for one in repaired.changes if one.code == "a_d_swapped"}
-    return bool(rows) and any(
+    throughout = any(one.row is None for one in repaired.changes)
+    of_cells = any(one.extent is Extent.CELL for one in repaired.changes)
+    return (bool(rows) or (throughout and not of_cells)) and any(
         all(change.extent is Extent.CELL for change in other.changes)
         and rows <= {change.row for change in other.changes}
         for other in repairs

@@ -177,3 +177,24 @@ def test_a_last_row_of_zeros_is_told_only_where_what_it_lacks_mends_the_answer_a
         [("a_missing", 3)],
         [("fixed_row_missing", 4)],
     ]
+
+
+TILTED_WRIST: Rows = [(60, 0, 0, "q1"), (-60, 0, 0, "q2"), (0, 0, "t", "q3")]
+TWO_LINKS: Rows = [(45, "L2", "L1", "q1"), (0, 0, "L3", "q2")]
+
+
+@pytest.mark.parametrize(
+    ("key", "answer"),
+    [
+        (TILTED_WRIST, [(60, "t", 0, "q1"), TILTED_WRIST[1], (0, 0, 0, "q3")]),
+        (TWO_LINKS, [(45, "L1", "L1", "q1"), (0, 0, "L2", "q2")]),
+    ],
+    ids=["columns", "names"],
+)
+def test_two_cells_are_told_before_an_exchange_throughout_and_a_row_behind_it(
+    key: Rows, answer: Rows
+) -> None:
+    """The exchange moves the marked point, and a row to it makes up for that."""
+    verdict = grade(read("standard", key, "deg"), read("standard", answer, "deg"), POINT)
+    assert {entry.row for entry in verdict.feedback if entry.row} == {1, len(key)}
+    assert "row_missing" not in [entry.code for entry in verdict.feedback]
