@@ -155,9 +155,8 @@ def _steps(document: UrdfDocument, path: Sequence[tuple[UrdfJoint, bool]]) -> tu
         if variable is None:
             continue
         if variable in owners:
-            follower = joint if joint.mimics() else everything[owners[variable]]
-            mimics = follower.mimics()
-            raise refused("urdf_mimic", joint=follower.name, other=mimics.joint if mimics else variable)
+            pair = (joint.name, owners[variable]) if joint.mimics() else (owners[variable], joint.name)
+            raise refused("urdf_mimic", joint=pair[0], other=pair[1])
         owners[variable] = joint.name
     return tuple(steps)
 
@@ -168,7 +167,7 @@ def _driven(joint: UrdfJoint, everything: dict[str, UrdfJoint]) -> tuple[str | N
     It may follow through joints that follow joints.
     """
     multiplier, offset = 1.0, 0.0
-    seen = {joint.name}
+    way = {joint.name: None}
     here = joint
     while here.kind in MOVING and (mimics := here.mimics()) is not None:
         multiplier, offset = multiplier * mimics.multiplier, offset + multiplier * mimics.offset
@@ -177,8 +176,12 @@ def _driven(joint: UrdfJoint, everything: dict[str, UrdfJoint]) -> tuple[str | N
         if multiplier == 0.0:
             return None, offset
         followed = everything.get(mimics.joint)
-        if followed is None or followed.name in seen:
+        if followed is None:
             raise refused("urdf_mimic_unknown", joint=here.name, other=mimics.joint)
-        seen.add(followed.name)
+        if followed.name in way:
+            names = tuple(way)
+            circle = names[names.index(followed.name) :]
+            raise refused("urdf_mimic_circle", joint=joint.name, circle=circle[:10])
+        way[followed.name] = None
         here = followed
     return (None, offset) if here.kind == "fixed" else (here.name, None)

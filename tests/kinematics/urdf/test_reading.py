@@ -122,6 +122,43 @@ def test_two_joints_that_follow_one_outside_the_chain_are_refused():
     with pytest.raises(DescriptionError) as refusal:
         table_from_urdf(text, Convention.STANDARD, tip_link="c")
     assert refusal.value.code == "urdf_mimic"
+    assert refusal.value.faults[0].params == {"joint": "l", "other": "k"}
+
+
+def mimicking(*followed):
+    """Return a chain whose joints j, k, l follow the joints of these names."""
+    inner = [f'<axis xyz="0 0 1"/><mimic joint="{other}"/>' if other else "" for other in followed]
+    parts = zip("jkl", "abc", "bcd", inner, strict=True)
+    return robot(*(joint(*ends, inner=inside) for *ends, inside in parts), links="abcd")
+
+
+@pytest.mark.parametrize(
+    ("followed", "told", "circle"),
+    [
+        (("j", "", ""), "j", ("j",)),
+        (("k", "j", ""), "j", ("j", "k")),
+        (("k", "l", "k"), "j", ("k", "l")),
+        (("l", "j", "k"), "j", ("j", "l", "k")),
+    ],
+)
+def test_joints_that_follow_one_another_in_a_circle_are_told(followed, told, circle):
+    with pytest.raises(DescriptionError) as refusal:
+        table_from_urdf(mimicking(*followed), Convention.STANDARD)
+    assert refusal.value.code == "urdf_mimic_circle"
+    assert refusal.value.faults[0].params == {"joint": told, "circle": circle}
+
+
+def test_the_two_joints_that_move_as_one_are_both_in_the_chain():
+    """j follows k, which is above the chain, and so does l: in the chain are j and l."""
+    text = robot(
+        joint("k", "a", "x"),
+        joint("m", "a", "y", inner='<mimic joint="k"/>'),
+        joint("j", "a", "b", inner='<mimic joint="m"/>'),
+        joint("l", "b", "c", inner='<mimic joint="k"/>'),
+        links="abcxy",
+    )
+    with pytest.raises(DescriptionError) as refusal:
+        table_from_urdf(text, Convention.STANDARD, tip_link="c")
     assert refusal.value.faults[0].params == {"joint": "l", "other": "j"}
 
 
@@ -319,7 +356,7 @@ REFUSED = {
         ),
         "urdf_numbers_malformed",
     ),
-    "itself": (robot(joint("j", "a", "b", inner='<mimic joint="j"/>'), links="ab"), "urdf_mimic_unknown"),
+    "itself": (robot(joint("j", "a", "b", inner='<mimic joint="j"/>'), links="ab"), "urdf_mimic_circle"),
     "an unknown attribute": (
         robot(joint("j", "a", "b", inner='<origin quat="0 0 0 1"/>'), links="ab"),
         "urdf_attribute_unknown",
