@@ -14,7 +14,7 @@ from kinematics.inverse.methods.locked import LockedArms, locked_arms_of
 from kinematics.inverse.methods.wrist import WristArm
 from kinematics.inverse.methods.wrist_scalars import ClearWrist, clear_wrist_of
 from kinematics.inverse.results import InverseKinematics
-from kinematics.inverse.solver import Solver
+from kinematics.inverse.solver import SMALL, Solver
 from kinematics.se3 import check_transform
 from kinematics.table import NumericTable
 
@@ -94,5 +94,7 @@ def _prepared(
     T_w_0, T_n_t = (None if T is None else np.frombuffer(T).reshape(4, 4) for T in (base, tool))
     arm = arm_of(table, T_w_0, T_n_t, reach)
     closed_form = closed_form_of(arm)
-    clear = clear_wrist_of(arm, closed_form) if isinstance(closed_form, WristArm) else None
+    clear = None
+    if isinstance(closed_form, WristArm) and arm.size >= SMALL:
+        clear = clear_wrist_of(arm, closed_form)
     return arm, closed_form, clear, locked_arms_of(arm)

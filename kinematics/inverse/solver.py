@@ -35,9 +35,9 @@ from kinematics.inverse.valleys import in_valleys, low_points
 from kinematics.se3 import Transform
 from kinematics.table import NumericTable
 
-_SMALL = SEARCHED / LARGEST_TOLERANCE
-"""Size [m] below which a search's tolerance runs the solutions of an arm into each other: what brings its
-origin somewhere is measured in parts of the size instead."""
+SMALL = SEARCHED / LARGEST_TOLERANCE
+"""Size [m] below which a search's tolerance runs the solutions of an arm into each other: distances are
+measured in parts of the size instead."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -97,18 +97,23 @@ class Solver:
 
     def goal(self, target: ArrayLike, tolerance: float | None, where: tuple[str | int, ...]) -> Goal:
         """Return a target made ready; arguments and refusals are those of `read_goal`."""
-        goal = read_goal(target, tolerance, where, self.arm.size)
-        measured, size = self._measured(goal), self.arm.size
-        if tolerance is None or measured is goal:
-            return measured
-        return measured._replace(tolerance=min(max(tolerance, ROUNDING * size), LARGEST_TOLERANCE * size))
+        goal, size = read_goal(target, tolerance, where, self.arm.size), self.arm.size
+        if tolerance is None or not self._is_small_beside(goal):
+            return self._measured(goal)
+        distance = min(max(tolerance, ROUNDING * size), LARGEST_TOLERANCE * size)
+        by_position = self.arm.reach is ArmReach.POSITION
+        unit = size if by_position else min(distance / goal.tolerance, size / SMALL)
+        return goal._replace(tolerance=distance, unit=unit)
 
     def _measured(self, goal: Goal) -> Goal:
         """The same goal, its tolerance a part of the arm's size where the arm is small beside tolerances."""
-        size = self.arm.size
-        if self.arm.reach is not ArmReach.POSITION or size >= _SMALL or goal.unit != 1.0:
+        if not self._is_small_beside(goal):
             return goal
-        return goal._replace(tolerance=goal.tolerance * size, unit=size)
+        return goal._replace(tolerance=goal.tolerance * self.arm.size, unit=self.arm.size)
+
+    def _is_small_beside(self, goal: Goal) -> bool:
+        """Return whether a tolerance would be a distance in which the whole arm has room."""
+        return self.arm.size < SMALL and goal.unit == 1.0
 
     def _in_unit(self, unit: float) -> "Solver":
         """The same arm, its lengths in another unit."""

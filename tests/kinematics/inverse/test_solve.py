@@ -487,30 +487,6 @@ def test_a_stretched_or_folded_elbow_is_so_to_rounding(lengths, elbow, shoulder)
     assert solution.residual < 1e-15 * sum(lengths)
 
 
-@pytest.mark.parametrize("size", [5e-8, 1e-9, 4e-10, 7e-12])
-def test_an_arm_smaller_than_a_tolerance_has_its_elbow_up_and_down(size):
-    table = numeric(Convention.STANDARD, *(("revolute", 0.0, a * size, 0.0, 0.0) for a in (0.5, 0.3)))
-    solver = solver_of(table, reach=ArmReach.POSITION)
-    poses = end_poses(table, np.array([[0.3, 0.8], [-1.2, 2.9], [0.7, 1e-4]]))
-    for pose, elbow in zip(poses, (0.8, 2.9, 1e-4), strict=True):
-        answer = solver.solve(pose)
-        assert answer.complete
-        assert sorted(s.joints[1] for s in answer.solutions) == pytest.approx([-elbow, elbow], rel=1e-6)
-        assert answer.tolerance < 1e-9 * size
-        assert max(s.position_error for s in answer.solutions) < 1e-14 * size
-    batch = solve_many(solver, poses)
-    assert batch.complete.all()
-    assert len(batch.joints) == 6
-    near = poses[0].copy()
-    near[:3, 3] *= 0.8 * size * (1.0 + 1e-5) / np.linalg.norm(near[:3, 3])
-    assert solver.solve(near).reason is UnreachableReason.OUT_OF_REACH
-    assert solver.solve(near, 1e-4 * size).tolerance == pytest.approx(1e-4 * size)
-    assert len(solver.solve(near, 1e-4 * size).solutions) == 1
-    far = poses[0].copy()
-    far[:3, 3] *= 3.0 * size / np.linalg.norm(far[:3, 3])
-    assert solver.solve(far).nearest.position_error == pytest.approx(2.2 * size)
-
-
 @pytest.mark.parametrize("off", [1e-6, 3e-7])
 def test_an_elbow_that_is_stretched_but_for_more_than_rounding_is_left_as_it_is(off):
     stretched = -math.atan2(0.4318, 0.0203)
