@@ -81,8 +81,9 @@ def urdf_from_table(
     Raises:
         DescriptionError: a name that is empty or holds control characters, at ("name",), ("base_link",),
             ("tip_link",), ("joint_names", i) or ("link_names", i); names of the wrong number, or one of them
-            twice, at ("joint_names",) or ("link_names",); both ends of one name, at ("tip_link",); or a
-            length that no reader takes, at ("rows", i), ("limits", i), ("base",) or ("tool",).
+            twice, at ("joint_names",) or ("link_names",); both ends of one name, at ("tip_link",); a length
+            that no reader takes, at ("rows", i), ("base",) or ("tool",); or a limit that readers take for
+            none, at ("limits", i).
         JointValueError: limits of the wrong number, or reversed.
         TableError: an entry of the table is NaN or infinite.
         PoseError: base or tool is not a rigid transform.
@@ -193,7 +194,8 @@ class _UrdfWriter:
         kind = joint.value
         unit = self._metres if joint is JointType.PRISMATIC else 1.0
         known = [bound * unit for bound in bounds if np.isfinite(bound)]
-        self._check(known, ("limits", number - 1))
+        if any(abs(bound) > MAX_NUMBER for bound in known):
+            raise DescriptionError(Fault.at("urdf_limit_overflow", "limits", number - 1, limit=MAX_NUMBER))
         if not known and joint is JointType.REVOLUTE:
             kind = "continuous"
         else:

@@ -99,7 +99,12 @@ def test_a_chain_to_every_form(client: httpx.Client, to: str) -> None:
         ),
         ({"table": FAR, "to": "urdf"}, "urdf_length_overflow", "/table/rows/1"),
         ({"table": FAR_END, "to": "urdf"}, "urdf_length_overflow", "/table/rows/0"),
-        ({"table": SLIDE, "to": "urdf", "limits": [[0, 1e13]]}, "urdf_length_overflow", "/limits/0"),
+        ({"table": SLIDE, "to": "urdf", "limits": [[0, 1e13]]}, "urdf_limit_overflow", "/limits/0"),
+        (
+            {"robot": "twolink", "to": "urdf", "limits": [None, [-1e16, 90]]},
+            "urdf_limit_overflow",
+            "/limits/1",
+        ),
         ({"table": SLIDE, "to": "urdf", "limits": [[0, 1e300]]}, "result_not_finite", "/limits/0"),
         (
             {"robot": "twolink", "parameters": {"L1": 1e308}, "to": "poe"},

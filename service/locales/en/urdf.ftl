@@ -9,7 +9,7 @@ error-urdf_is_xacro = This is xacro, a macro language. Expand it first: xacro ro
 error-urdf_no_links = The description has no links.
 error-urdf_name_missing = An element <{ $element }> has no name.
 error-urdf_name_twice = Two elements <{ $element }> are called “{ $name }”.
-error-urdf_name_invalid = A robot’s name is one line of visible characters.
+error-urdf_name_invalid = A name is one line of visible characters.
 error-urdf_joint_incomplete = Joint “{ $joint }” lacks <{ $element } link="…"/>.
 error-urdf_link_missing = Joint “{ $joint }” names the link “{ $link }”, which the description does not have.
 error-urdf_link_unknown = The description has no link “{ $link }”; it has { $known }.
@@ -51,6 +51,7 @@ error-urdf_numbers_malformed = Joint “{ $joint }”: { $attribute } in <{ $ele
        *[other] { $count } finite numbers separated by spaces
     }, none larger than { $limit }.
 error-urdf_limit_malformed = Joint “{ $joint }”: { $attribute } in <limit> takes one number. Write inf where the joint has no limit.
+error-urdf_limit_overflow = A limit in a URDF is at most { $limit } (rad or m) in size. Give null where there is none.
 error-urdf_length_overflow = The lengths of a URDF must be at most { $limit_in_metres } m.
 error-option_idle = Leave out { $found }: this conversion does not use it.
 

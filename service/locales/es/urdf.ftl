@@ -9,7 +9,7 @@ error-urdf_is_xacro = Esto es xacro, un lenguaje de macros. Expándalo primero: 
 error-urdf_no_links = La descripción no tiene eslabones (link).
 error-urdf_name_missing = Un elemento <{ $element }> no tiene nombre.
 error-urdf_name_twice = Dos elementos <{ $element }> se llaman «{ $name }».
-error-urdf_name_invalid = El nombre de un robot es una línea de caracteres visibles.
+error-urdf_name_invalid = Un nombre es una línea de caracteres visibles.
 error-urdf_joint_incomplete = A la articulación «{ $joint }» le falta <{ $element } link="…"/>.
 error-urdf_link_missing = La articulación «{ $joint }» nombra el eslabón «{ $link }», que la descripción no tiene.
 error-urdf_link_unknown = La descripción no tiene el eslabón «{ $link }»; tiene { $known }.
@@ -45,6 +45,7 @@ error-urdf_numbers_malformed = Articulación «{ $joint }»: { $attribute } en <
        *[other] { $count } números finitos separados por espacios
     }, ninguno mayor que { $limit }.
 error-urdf_limit_malformed = Articulación «{ $joint }»: { $attribute } en <limit> admite un número. Escriba inf si la articulación no tiene límite.
+error-urdf_limit_overflow = Un límite en un URDF es como máximo { $limit } (rad o m) en valor absoluto. Indique null donde no haya límite.
 error-urdf_length_overflow = Las longitudes de un URDF deben ser de { $limit_in_metres } m como máximo.
 error-option_idle = Omita { $found }: esta conversión no lo usa.
 

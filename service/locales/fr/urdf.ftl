@@ -9,7 +9,7 @@ error-urdf_is_xacro = Ceci est du xacro, un langage de macros. Développez-le d�
 error-urdf_no_links = La description n’a pas de segments (link).
 error-urdf_name_missing = Un élément <{ $element }> n’a pas de nom.
 error-urdf_name_twice = Deux éléments <{ $element }> s’appellent « { $name } ».
-error-urdf_name_invalid = Le nom d’un robot est une ligne de caractères visibles.
+error-urdf_name_invalid = Un nom est une ligne de caractères visibles.
 error-urdf_joint_incomplete = Il manque <{ $element } link="…"/> à l’articulation « { $joint } ».
 error-urdf_link_missing = L’articulation « { $joint } » nomme le segment « { $link } », que la description n’a pas.
 error-urdf_link_unknown = La description n’a pas de segment « { $link } » ; elle a { $known }.
@@ -45,6 +45,7 @@ error-urdf_numbers_malformed = Articulation « { $joint } » : { $attribute }
        *[other] { $count } nombres finis séparés par des espaces
     }, aucun plus grand que { $limit }.
 error-urdf_limit_malformed = Articulation « { $joint } » : { $attribute } dans <limit> prend un nombre. Écrivez inf si l’articulation n’a pas de limite.
+error-urdf_limit_overflow = Une limite dans un URDF ne dépasse pas { $limit } (rad ou m) en valeur absolue. Indiquez null s’il n’y en a pas.
 error-urdf_length_overflow = Les longueurs d’un URDF ne doivent pas dépasser { $limit_in_metres } m.
 error-option_idle = Omettez { $found } : cette conversion ne s’en sert pas.
 

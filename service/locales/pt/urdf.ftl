@@ -9,7 +9,7 @@ error-urdf_is_xacro = Isto é xacro, uma linguagem de macros. Expanda-o primeiro
 error-urdf_no_links = A descrição não tem elos (link).
 error-urdf_name_missing = Um elemento <{ $element }> não tem nome.
 error-urdf_name_twice = Dois elementos <{ $element }> chamam-se “{ $name }”.
-error-urdf_name_invalid = O nome de um robô é uma linha de caracteres visíveis.
+error-urdf_name_invalid = Um nome é uma linha de caracteres visíveis.
 error-urdf_joint_incomplete = Falta <{ $element } link="…"/> à junta “{ $joint }”.
 error-urdf_link_missing = A junta “{ $joint }” nomeia o elo “{ $link }”, que a descrição não tem.
 error-urdf_link_unknown = A descrição não tem o elo “{ $link }”; tem { $known }.
@@ -47,6 +47,7 @@ error-urdf_numbers_malformed = Junta “{ $joint }”: { $attribute } em <{ $ele
        *[other] { $count } números finitos separados por espaços
     }, nenhum maior que { $limit }.
 error-urdf_limit_malformed = Junta “{ $joint }”: { $attribute } em <limit> recebe um número. Escreva inf se a junta não tem limite.
+error-urdf_limit_overflow = Um limite num URDF não pode exceder { $limit } (rad ou m) em valor absoluto. Indique null onde não houver limite.
 error-urdf_length_overflow = Os comprimentos de um URDF não podem exceder { $limit_in_metres } m.
 error-option_idle = Omita { $found }: esta conversão não o usa.
 

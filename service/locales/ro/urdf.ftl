@@ -23,7 +23,7 @@ error-urdf_is_xacro = Acesta este xacro, un limbaj de macrouri. Expandați-l mai
 error-urdf_no_links = Descrierea nu are elemente (link).
 error-urdf_name_missing = Un element <{ $element }> nu are nume.
 error-urdf_name_twice = Două elemente <{ $element }> se numesc „{ $name }”.
-error-urdf_name_invalid = Numele unui robot este un rând de caractere vizibile.
+error-urdf_name_invalid = Un nume este un rând de caractere vizibile.
 error-urdf_joint_incomplete = Cuplei „{ $joint }” îi lipsește <{ $element } link="…"/>.
 error-urdf_link_missing = Cupla „{ $joint }” numește elementul „{ $link }”, pe care descrierea nu îl are.
 error-urdf_link_unknown = Descrierea nu are elementul „{ $link }”; are { $known }.
@@ -68,6 +68,7 @@ error-urdf_numbers_malformed = Cupla „{ $joint }”: { $attribute } din <{ $el
        *[other] { $count } numere finite separate prin spații
     }, niciunul mai mare decât { $limit }.
 error-urdf_limit_malformed = Cupla „{ $joint }”: { $attribute } din <limit> primește un număr. Scrieți inf dacă cupla nu are limită.
+error-urdf_limit_overflow = O limită dintr-un URDF este de cel mult { $limit } (rad sau m) în valoare absolută. Dați null unde nu există limită.
 error-urdf_length_overflow = Lungimile dintr-un URDF nu pot depăși { $limit_in_metres } m.
 error-option_idle = Omiteți { $found }: această conversie nu îl folosește.
 

@@ -23,7 +23,7 @@ error-urdf_is_xacro = Це xacro, мова макросів. Спершу роз
 error-urdf_no_links = В описі немає ланок (link).
 error-urdf_name_missing = Елемент <{ $element }> не має імені.
 error-urdf_name_twice = Два елементи <{ $element }> мають ім’я «{ $name }».
-error-urdf_name_invalid = Ім’я робота — один рядок видимих символів.
+error-urdf_name_invalid = Назва — один рядок видимих символів.
 error-urdf_joint_incomplete = Зчленуванню «{ $joint }» бракує <{ $element } link="…"/>.
 error-urdf_link_missing = Зчленування «{ $joint }» називає ланку «{ $link }», якої в описі немає.
 error-urdf_link_unknown = В описі немає ланки «{ $link }»; є { $known }.
@@ -50,6 +50,7 @@ error-urdf_axis_zero = Вісь зчленування «{ $joint }» — 0 0 0,
 error-urdf_limits_reversed = Нижня межа зчленування «{ $joint }» більша за верхню.
 error-urdf_numbers_malformed = Зчленування «{ $joint }»: { $attribute } у <{ $element }> приймає скінченні числа через пропуск (кількість: { $count }), не більші за { $limit }.
 error-urdf_limit_malformed = Зчленування «{ $joint }»: { $attribute } у <limit> приймає одне число. Напишіть inf, якщо межі немає.
+error-urdf_limit_overflow = Межа в URDF за модулем не перевищує { $limit } (рад або м). Де межі немає, вкажіть null.
 error-urdf_length_overflow = Довжини в URDF не можуть перевищувати { $limit_in_metres } м.
 error-option_idle = Приберіть { $found }: це перетворення його не використовує.
 
