@@ -82,7 +82,7 @@ def _telling_steps(work: Work) -> dict[Place, float]:
     return {
         (i, cell): step
         for (i, cell), step in work.comparison.steps.items()
-        if says_enough(step, getattr(rows[i], cell))
+        if says_enough(step, getattr(rows[i], cell), cell)
     }
 
 

@@ -142,7 +142,7 @@ def steps_of_wrong(
     lengths, angles = tolerance.length * reference.size, tolerance.angle
     return {
         (i, cell): step
-        if says_enough(step, getattr(table.rows[i], cell))
+        if says_enough(step, getattr(table.rows[i], cell), cell)
         else min(step, angles if cell in ANGLES else lengths)
         for (i, cell), step in steps.items()
     }

@@ -130,9 +130,13 @@ def _half_steps_by_value(
     return MappingProxyType(steps), tuple(zeros)
 
 
-def says_enough(step: float, entry: float) -> bool:
-    """Return whether half a unit of the last place is small beside a number; beside a zero it is not."""
-    return step <= COARSEST * abs(entry) * (1.0 + SAME)
+def says_enough(step: float, entry: float, cell: str | None = None) -> bool:
+    """Return whether half a unit of the last place is small beside a number; beside a zero it is not.
+
+    An angle of more than a turn is not rounded: 45 rad, typed where degrees were meant, is no 0.79 rad.
+    """
+    beyond_a_turn = cell in ANGLES and abs(entry) > math.tau
+    return not beyond_a_turn and step <= COARSEST * abs(entry) * (1.0 + SAME)
 
 
 def meant_in_radians(angle: float) -> float:

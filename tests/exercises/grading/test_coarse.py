@@ -219,3 +219,13 @@ def test_angles_with_too_few_digits_explain_where_they_take_what_is_behind_them(
     key = read("standard", [(0.943, 0.496, 0.387, "q1"), (1.332, 0.708, 0.584, "q2")])
     answer = read("standard", [(0.9, 0.496, 0.387, "q1"), (1.3, 0.708, 0.584, "q2")])
     assert codes(grade(key, answer, policy)) == TOO_FEW_DIGITS
+
+
+@pytest.mark.parametrize("degrees", [29, 45, 83, 150])
+@pytest.mark.parametrize("policy", [Policy(), Policy(tool=ToolRule.POINT)])
+def test_degrees_typed_for_radians_are_no_radians_with_too_few_digits(degrees: int, policy: Policy) -> None:
+    """45 rad is 1.02 rad and seven turns: within half a radian of it there is a quarter of π."""
+    rows: list[tuple[Cell, Cell, Cell, Cell]] = [(degrees, "L2", "L1", "q1"), (0, 0, "L3", "q2")]
+    verdict = grade(read("standard", rows, "deg"), read("standard", rows, "rad"), policy)
+    assert ("twist_wrong", 1) in [(entry.code, entry.row) for entry in verdict.feedback]
+    assert "cell_in_degrees" in [repair.edits[0].code for repair in verdict.repairs]
