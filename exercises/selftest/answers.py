@@ -15,8 +15,8 @@ from exercises.parts.registry import part_type
 from exercises.selftest.variants import some_lengths, variant
 from kinematics.cells import RawTable, ReadTable
 from kinematics.chain import chain_of_table, size_of
-from kinematics.expressions import Expression, rational_value
-from kinematics.table import bind
+from kinematics.expressions import Expression, parameters_in, rational_value
+from kinematics.table import JointType, bind
 
 
 def answer_from(instance: Instance, read: ReadTable) -> RawAnswer:
@@ -39,11 +39,23 @@ def other_frames(instance: Instance, rng: Random) -> ReadTable:
     """Return the key as somebody with other frames would have written it."""
     exercise = instance.exercise
     usual = size_of(chain_of_table(bind(exercise.reference.table, instance.values))) / 4
-    lengths = some_lengths(exercise.reference.table, usual)
+    taken = taken_by_slides(exercise)
+    lengths = tuple(
+        entry
+        for entry in some_lengths(exercise.reference.table, usual)
+        if taken.isdisjoint(parameters_in(entry))
+    )
     # A number that happens to be a dimension's value would be taken for the dimension.
     told_apart = tuple(entry for entry in lengths if not _is_value(entry, instance))
     table = variant(exercise.reference.table, exercise.policy, told_apart or lengths, rng)
     return replace(exercise.reference, table=table)
+
+
+def taken_by_slides(exercise: Exercise) -> frozenset[str]:
+    """Return the names of dimensions that mean the variable in a prismatic row: d3, where joint 3 slides."""
+    types = exercise.reference.table.joint_types
+    slides = {f"d{joint}" for joint, found in enumerate(types, 1) if found is JointType.PRISMATIC}
+    return frozenset(slides & {*exercise.reference.parameters, *exercise.aliases})
 
 
 def _is_value(length: Expression, instance: Instance) -> bool:

@@ -21,7 +21,14 @@ from exercises.needs import rules_that_need, unneeded_dimensions
 from exercises.parts.protocol import TABLE
 from exercises.parts.registry import part_type
 from exercises.parts.report import Credit
-from exercises.selftest.answers import answer_from, context_of, is_refused, judged_answer, other_frames
+from exercises.selftest.answers import (
+    answer_from,
+    context_of,
+    is_refused,
+    judged_answer,
+    other_frames,
+    taken_by_slides,
+)
 from exercises.selftest.findings import Findings
 from exercises.selftest.mistakes import MISTAKES
 from exercises.selftest.robustness import check_robustness
@@ -86,6 +93,8 @@ def check_values(
             for name in unneeded_dimensions(exercise):
                 rules = "; ".join(rules_that_need(exercise, name)) or "none"
                 findings.warn("unneeded", name=name, rules=rules)
+            for name in sorted(taken_by_slides(exercise)):
+                findings.warn("taken_by_slide", name=name, joint=name.removeprefix("d"))
             for name, other in _alike(exercise, seeds):
                 findings.warn("alike", name=name, other=other)
     return findings

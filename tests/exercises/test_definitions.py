@@ -132,6 +132,23 @@ def test_lengths_that_may_be_exchanged_unseen_are_told_to_the_author(
     assert alike == [{"name": "L1", "other": "L2"}] * told
 
 
+def of_a_scara(height: str) -> str:
+    """A definition in which the third joint slides, and the height of the arm above it has this name."""
+    second = 'd = 0, a = "L2", alpha = 0 },'
+    slide = '  { joint = "prismatic", theta = 0, d = "q3", a = 0, alpha = 0 },'
+    rows = changed(second, f'd = "{height}", a = "L2", alpha = 180 }},\n{slide}')
+    return changed("L2.value = 0.3", f"L2.value = 0.3\n{height}.value = 0.06", rows)
+
+
+@pytest.mark.parametrize(("height", "told"), [("d3", True), ("d2", False), ("h", False)])
+def test_a_dimension_named_as_a_slide_is_told_to_the_author(height: str, told: bool, tmp_path: Path) -> None:
+    """In other frames it stands beside the variable, q3 + d3: that was called a crash of the grading."""
+    found = check(load_exercise(folder(tmp_path, of_a_scara(height))), 3)
+    assert found.failures == []
+    taken = [one.params for one in found.warnings if one.check == "taken_by_slide"]
+    assert taken == [{"name": "d3", "joint": "3"}] * told
+
+
 @pytest.mark.parametrize(
     ("drawn", "told"), [("-0.4, to = 0.6, step = 0.01", True), ("0.4, to = 0.6, step = 0.1", False)]
 )
