@@ -21,6 +21,9 @@ from kinematics.se3 import Transform
 
 MOST_SOLUTIONS = 64  # No more are returned of a search.
 
+_STEPS_LEAVE = 1e-15
+"""Joint values below this part of their unit are what steps towards 0 leave of it, down to 1e-320."""
+
 
 def told_solutions(
     arm: Arm, found: list[tuple[Array, Family | None]], pose: Transform
@@ -51,7 +54,8 @@ def unreachable(
     arm: Arm, box: Box, goal: Goal, nearest: Array, outside: int, method: Method
 ) -> InverseKinematics:
     """Return the answer without solutions, but with the configuration that comes nearest."""
-    wrapped, _ = within_limits(nearest[None], arm.revolute, box, arm.size)
+    settled = np.where(np.abs(nearest) < _STEPS_LEAVE * arm.units, 0.0, nearest)
+    wrapped, _ = within_limits(settled[None], arm.revolute, box, arm.size)
     transform = arm.frames(wrapped)[-1, 0]
     position, angle = _errors(arm, transform[None], goal.pose)
     return InverseKinematics(

@@ -487,6 +487,15 @@ def test_a_stretched_or_folded_elbow_is_so_to_rounding(lengths, elbow, shoulder)
     assert solution.residual < 1e-15 * sum(lengths)
 
 
+@pytest.mark.parametrize("far", [0.71, 2.0, 40.0])
+def test_the_nearest_configuration_of_an_arm_that_stretches_is_zero_and_no_denormal(far):
+    table = numeric(Convention.STANDARD, *(("revolute", 0.0, a, 0.0, 0.0) for a in (0.4, 0.3)))
+    target = np.eye(4)
+    target[0, 3] = far
+    nearest = inverse_kinematics(table, target, reach=ArmReach.POSITION).nearest
+    assert nearest.joints == (0.0, 0.0)
+
+
 @pytest.mark.parametrize("off", [1e-6, 3e-7])
 def test_an_elbow_that_is_stretched_but_for_more_than_rounding_is_left_as_it_is(off):
     stretched = -math.atan2(0.4318, 0.0203)
