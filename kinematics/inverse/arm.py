@@ -17,7 +17,7 @@ from kinematics.table import JointType, NumericTable
 
 Array = NDArray[np.float64]
 
-_TINY, _TINY_BESIDE_A_SLIDE = 1e-11, 1e-6
+_TINY, _TINY_BESIDE_A_SLIDE = 1e-10, 1e-6
 """Offsets below this part of 1 (or of the distance of the base) say nothing about the arm's size."""
 
 _ROUNDED_AWAY = 1e-13
