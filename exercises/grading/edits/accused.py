@@ -8,6 +8,7 @@ from typing import NamedTuple
 from exercises.grading.edits.changes import Change, Extent
 from exercises.grading.edits.own_table import is_length_of, is_own_table
 from exercises.grading.edits.repaired import Repaired
+from exercises.grading.judging.typed import Place
 from kinematics.table import CELLS, LENGTHS, NumericRow, NumericTable
 
 
@@ -23,6 +24,8 @@ def own_table_first(
     """
     if repairs and len(repairs[0].changes) > 1:
         repairs = sorted(repairs, key=lambda repaired: not repaired.is_of_signs)
+        zeros = _zeros_passed_over(repairs, table)
+        repairs = sorted(repairs, key=lambda one: any(zeros & {*edit.places} for edit in one.changes))
     if len(repairs) < 2 or repairs[0].of(table) is None:
         return tuple(repairs)
 
@@ -37,6 +40,20 @@ def own_table_first(
     of_a_cell = len(repairs[0].changes) == 1 and repairs[0].changes[0].extent is Extent.CELL
     told = [one for one in repairs if not (of_a_cell and len(one.changes) == 1 and is_of_one_row(one))]
     return tuple(sorted(told, key=leads_elsewhere))
+
+
+def _zeros_passed_over(repairs: Sequence[Repaired], table: NumericTable) -> set[Place]:
+    """Where an edit of two puts a length before a zero and, beside the other one, a typed length would do."""
+    return {
+        one.places[0]
+        for repaired in repairs
+        for one in repaired.changes
+        if one.fills_a_zero(table)
+        and any(
+            other.cell == one.cell and not other.fills_a_zero(table)
+            for other in _beside([change for change in repaired.changes if change is not one], repairs)
+        )
+    }
 
 
 class Accused(NamedTuple):

@@ -186,3 +186,22 @@ def test_a_forgotten_last_row_behind_a_slider(convention: str) -> None:
     policy = Policy(base=BaseRule.FRAME, tool=ToolRule.FRAME)
     verdict = grade(read(convention, rows, "deg"), read(convention, rows[:-1], "deg"), policy)
     assert ["fixed_row_missing"] in [[edit.code for edit in repair.edits] for repair in verdict.repairs]
+
+
+@pytest.mark.parametrize("first", [(45, "-a1", 0, "q1"), (-45, "a1", 0, "q1")])
+def test_beside_a_wrong_sign_too_a_typed_length_is_told_and_not_a_zero(
+    first: tuple[Cell, Cell, Cell, Cell],
+) -> None:
+    """The slider could stand elsewhere, with a length in the row before it, where nothing was typed."""
+    key: Rows = [
+        (45, "a1", 0, "q1"),
+        (90, 0, "d2", "q2"),
+        (0, 0, "q3", 0),
+        (-45, 0, 0, "q4"),
+        (60, 0, 0, "q5"),
+        (0, 0, "d6", "q6"),
+    ]
+    answer = [first, key[1], (0, "d6", "q3", 0), *key[3:]]
+    policy = Policy(tool=ToolRule.POINT)
+    verdict = grade(read("standard", key, "deg"), read("standard", answer, "deg"), policy)
+    assert {row for _, row in _named(verdict)} == {1, 3}
