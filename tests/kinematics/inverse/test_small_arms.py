@@ -44,7 +44,7 @@ def test_an_arm_smaller_than_a_tolerance_has_its_elbow_up_and_down(size):
     assert solver.solve(far).nearest.position_error == pytest.approx(2.2 * size)
 
 
-@pytest.mark.parametrize("size", [1e-7, 1e-9, 3e-10])
+@pytest.mark.parametrize("size", [1e-7, 3e-10])
 @pytest.mark.parametrize("name", ARMS)
 def test_a_small_arm_has_the_solutions_of_a_large_one(name, size):
     large, small = ARMS[name], shrunk(ARMS[name], size)
@@ -62,8 +62,8 @@ def test_a_small_arm_has_the_solutions_of_a_large_one(name, size):
     )
 
 
-@pytest.mark.parametrize("tolerance", [None, 1e-12, 1e-9, 1e-5])
-@pytest.mark.parametrize("size", [1e-7, 1e-8, 1e-9, 3e-10])
+@pytest.mark.parametrize("tolerance", [None, 1e-9, 1e-5])
+@pytest.mark.parametrize("size", [1e-7, 3e-10])
 @pytest.mark.parametrize("name", ARMS)
 def test_a_small_arm_does_not_reach_what_is_far_beyond_its_size(name, size, tolerance):
     solver = solver_of(shrunk(ARMS[name], size))
