@@ -85,15 +85,15 @@ def rows_of_missed_ends(work: Work) -> list[frozenset[int]]:
     return [frozenset(rows[kind]) for kind in missed]
 
 
-def surely_miss(ends: Sequence[frozenset[int]], changes: Sequence[Change]) -> bool:
-    """Return whether edits leave a rule broken that a table does not keep.
+def surely_misses(ends: Sequence[frozenset[int]], change: Change) -> bool:
+    """Return whether an edit leaves a rule broken that a table does not keep.
 
     Args:
         ends: the rows in which each such rule is broken.
-        changes: the edits, one after the other.
+        change: the edit.
     """
-    changed = {row for change in changes for row, *_ in change.cells}
-    return all(change.table is None for change in changes) and any(map(changed.isdisjoint, ends))
+    changed = {row for row, *_ in change.cells}
+    return change.table is None and any(map(changed.isdisjoint, ends))
 
 
 @cached_by_size(lambda keys, policy: len(keys[0].table.rows), longest=USUAL_ROWS, most=256, few=32)

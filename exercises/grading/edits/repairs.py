@@ -9,7 +9,7 @@ from dataclasses import replace
 from itertools import islice
 
 from exercises.grading.edits.cell_edits import any_cell
-from exercises.grading.edits.certainty import rows_of_missed_ends, surely_miss, surely_right
+from exercises.grading.edits.certainty import rows_of_missed_ends, surely_misses, surely_right
 from exercises.grading.edits.changes import Change, Extent, after
 from exercises.grading.edits.fitting import MOST_SIGNS
 from exercises.grading.edits.misconceptions import RANKS
@@ -177,7 +177,9 @@ def _likelihood(change: Change, table: NumericTable) -> tuple[float, bool, int]:
 
 def _helping(work: Work, made: Iterable[Finish], effort: Effort) -> Iterator[Change]:
     """The single changes that make the table right."""
-    for (change,) in _mending(work, ((work, (one.change,), one) for one in made), effort):
+    ends = rows_of_missed_ends(work)
+    edits = ((work, (one.change,), one) for one in made if not surely_misses(ends, one.change))
+    for (change,) in _mending(work, edits, effort):
         yield change
 
 
@@ -192,12 +194,7 @@ def _mending(
         effort: how hard to try.
     """
     told: set[frozenset[tuple[str, int | None, str | None]]] = set()
-    ends = rows_of_missed_ends(work)
-    placed = (
-        (frozenset((one.code, one.row, one.cell) for one in edit[1]), *edit)
-        for edit in edits
-        if not surely_miss(ends, edit[1])
-    )
+    placed = ((frozenset((one.code, one.row, one.cell) for one in edit[1]), *edit) for edit in edits)
     untold = (edit for edit in placed if edit[0] not in told)
     while some := list(islice(untold, MOST_REPAIRS)):
         seen = surely_right(work, [(changes, None if one.sure else one.found) for *_, changes, one in some])
@@ -247,14 +244,21 @@ def _pairs(work: Work, first: Sequence[Trial]) -> Iterator[Repaired]:
 
 
 def _pairs_to_try(work: Work, first: Sequence[Trial]) -> Iterator[tuple[Work, tuple[Change, Change], Finish]]:
-    """The same before they are judged, as `_mending` takes them."""
+    """The same before they are judged, as `_mending` takes them.
+
+    Where an end is missed, one of the two is there: these are tried first.
+    """
+    ends = rows_of_missed_ends(work)
+    first = sorted(first, key=lambda trial: surely_misses(ends, trial.change))
     together = max(MOST_ROWS_TOGETHER // len(work.table.rows), 1)
     for start in range(0, len(first), together):
         some = first[start : start + together]
         halves = _halves(work, some, keeping=True)
         for trial, half, rest in zip(some, halves, finishing(halves), strict=True):
+            still = rows_of_missed_ends(half) if ends else []
             for one in rest:
-                yield half, (trial.change, one.change), one
+                if not surely_misses(still, one.change):
+                    yield half, (trial.change, one.change), one
 
 
 def _halves(work: Work, trials: Iterable[Trial], *, keeping: bool = False) -> list[Work]:

@@ -9,7 +9,8 @@ from exercises.grading.explanation import work_on
 from exercises.grading.judging.comparison import comparisons
 from tests.exercises.grading.test_grade import PUMA, VALUES, with_cells
 from tests.exercises.grading.told import codes, repairs
-from tests.exercises.grading.written import Cell, read
+from tests.exercises.grading.written import Cell, read, written
+from tests.kinematics.equivalence.campaign import catalogue
 
 Rows = list[tuple[Cell, Cell, Cell, Cell]]
 AXIS = Policy(tool=ToolRule.AXIS)
@@ -107,3 +108,13 @@ def test_a_sign_that_mirrors_the_arm_is_told_in_each_row_beside_a_line_that_is_m
     assert all(("a_not_zero", 6) in repair for repair in repairs(verdict))
     assert {entry.row for entry in verdict.feedback if entry.row} == {3, 4, 6}
     assert "one_of_these" in codes(verdict)
+
+
+@pytest.mark.parametrize("name", ["puma560", "ur5", "irb140", "lrmate200id"])
+def test_two_wrong_cells_of_the_last_row_are_told_beside_the_line_that_they_miss(name: str) -> None:
+    """The robot is right, and many pairs of edits leave it so: those that touch the last row come first."""
+    key = dict(catalogue())[name]
+    last = replace(key.rows[-1], alpha=key.rows[-1].alpha + 0.7, a=0.1)
+    verdict = grade(written(key), written(replace(key, rows=(*key.rows[:-1], last))), AXIS)
+    assert codes(verdict)[:2] == ["right_robot", "tool_axis_missed"]
+    assert repairs(verdict) == [[("alpha_value", 6), ("a_not_zero", 6)]]
