@@ -167,7 +167,7 @@ def _driven(joint: UrdfJoint, everything: dict[str, UrdfJoint]) -> tuple[str | N
     It may follow through joints that follow joints.
     """
     multiplier, offset = 1.0, 0.0
-    way = {joint.name: None}
+    way = [joint.name]
     here = joint
     while here.kind in MOVING and (mimics := here.mimics()) is not None:
         multiplier, offset = multiplier * mimics.multiplier, offset + multiplier * mimics.offset
@@ -179,9 +179,8 @@ def _driven(joint: UrdfJoint, everything: dict[str, UrdfJoint]) -> tuple[str | N
         if followed is None:
             raise refused("urdf_mimic_unknown", joint=here.name, other=mimics.joint)
         if followed.name in way:
-            names = tuple(way)
-            circle = names[names.index(followed.name) :]
-            raise refused("urdf_mimic_circle", joint=joint.name, circle=circle[:10])
-        way[followed.name] = None
+            circle = way[way.index(followed.name) :]
+            raise refused("urdf_mimic_circle", joint=joint.name, circle=tuple(circle[:10]))
+        way.append(followed.name)
         here = followed
     return (None, offset) if here.kind == "fixed" else (here.name, None)
