@@ -15,13 +15,7 @@ from kinematics.inverse.methods.closed_form import InverseClosedForm, candidates
 from kinematics.inverse.methods.locked import LockedArms, locked_arms_of
 from kinematics.inverse.methods.wrist_scalars import ClearWrist
 from kinematics.inverse.refinement import refined, settled_on_folds, solutions_of
-from kinematics.inverse.results import (
-    Family,
-    IKSolution,
-    IKStatus,
-    InverseKinematics,
-    Method,
-)
+from kinematics.inverse.results import Family, IKSolution, IKStatus, InverseKinematics, Method
 from kinematics.inverse.scaled_lengths import answer_from_unit, arm_in_unit, box_in_unit, goal_in_unit
 from kinematics.inverse.search import MOST_ISOLATED, Bounds, Box, SearchResult, search
 from kinematics.inverse.search import TOLERANCE as SEARCHED

@@ -19,8 +19,8 @@ def own_table_first(
 
     Who forgets the key's last fixed row has made that slip, though a sign in the row before it might lead to
     the frame of the tool as well. Where the likeliest repair is two edits, and not both of cells, it stays
-    the first, unless in another only signs are wrong. Beside a cell, columns exchanged in its row alone are
-    no other story.
+    the first, unless in another only signs are wrong, or where it fills a zero and a typed length would do.
+    Beside a cell, columns exchanged in its row alone are no other story.
     """
     if repairs and len(repairs[0].changes) > 1:
         repairs = sorted(repairs, key=lambda repaired: not repaired.is_of_signs)
