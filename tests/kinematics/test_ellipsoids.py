@@ -4,13 +4,14 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kinematics import catalogue
 from kinematics.ellipsoids import velocity_ellipsoids
 from kinematics.jacobian import jacobian
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable
+from tests.conftest import EXPLORE
 from tests.kinematics.robots import listed_numbers
 
 NAMES = sorted(robot.id for robot in catalogue.robots())
@@ -38,6 +39,7 @@ def test_equal_links_at_the_best_elbow_are_isotropic() -> None:
     np.testing.assert_allclose(found.radii, [1, 1, 0], atol=1e-12)
 
 
+@settings(max_examples=40 if EXPLORE else 10)
 @given(data=st.data())
 @pytest.mark.parametrize("name", NAMES)
 def test_every_motion_of_unit_rates_lies_in_the_ellipsoids(name: str, data: st.DataObject) -> None:

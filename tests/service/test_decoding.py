@@ -6,12 +6,13 @@ import tracemalloc
 
 import orjson
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from service.http.decoding import JsonLimits, decode_json
 from service.http.long_lists import PIECE
 from service.http.problems import BodyError, BodySizeError
+from tests.conftest import EXPLORE
 
 VALUES = st.recursive(
     st.none()
@@ -24,6 +25,7 @@ VALUES = st.recursive(
 )
 
 
+@settings(max_examples=300 if EXPLORE else 20)
 @given(VALUES)
 def test_what_json_writes_is_read_back(value: object) -> None:
     assert decode_json(json.dumps(value).encode()) == value

@@ -14,6 +14,7 @@ from kinematics.expressions import evaluate
 from kinematics.forward import forward_kinematics
 from kinematics.scm import forward_kinematics_scm, modified_dh_from_scm, verify
 from kinematics.table import JointType, bind, table_parameters
+from tests.conftest import EXPLORE
 from tests.kinematics.scm.chains import ENTRIES, elementary
 
 IDS = [
@@ -110,7 +111,7 @@ def test_limits_cite_their_source(robot):
 
 
 @ROBOTS
-@settings(max_examples=40)
+@settings(max_examples=40 if EXPLORE else 10)
 @given(data=st.data())
 def test_the_table_is_the_chain_for_every_q_and_every_length(robot, data):
     """Against the SCM chain, moved without any DH table: for random joints and random lengths."""

@@ -172,7 +172,7 @@ def test_an_archive_is_read_in_memory_and_bounded(tmp_path: Path) -> None:
     archive = tmp_path / "class.zip"
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as written:
         written.writestr("../../evil_1_2_x.csv", b"theta,d,a,alpha\nq1,0,1,0\n")
-        written.writestr("bomb_3_4_x.csv", b"0" * (50 * LARGEST_FILE))
+        written.writestr("bomb_3_4_x.csv", b"0" * (4 * LARGEST_FILE))
         written.writestr("__MACOSX/._x.csv", b"junk")
         written.writestr("photo.png", b"junk")
     before = sorted(tmp_path.rglob("*"))
@@ -373,11 +373,10 @@ HEADER = tuple((0, i, title) for i, title in enumerate(("theta", "d", "a", "alph
 )
 def test_a_workbook_that_takes_too_much_ends_nothing_but_its_reader(content: bytes, reason: str) -> None:
     """Five kilobytes in the format of Excel 97 ended the grading of a class."""
-    for _ in range(2):
-        with pytest.raises(RequestError) as refused:
-            read_tables("eve.xls", content, TableSettings())
-        (fault,) = refused.value.faults
-        assert (fault.code, fault.params["reason"]) == ("file_unreadable", reason)
+    with pytest.raises(RequestError) as refused:
+        read_tables("eve.xls", content, TableSettings())
+    (fault,) = refused.value.faults
+    assert (fault.code, fault.params["reason"]) == ("file_unreadable", reason)
     rows = ((i, j, float(i + j)) for i in range(1, 3) for j in range(4))
     (found,) = read_tables("ann.xls", binary_workbook(*HEADER, *rows), TableSettings())
     assert [row["alpha"] for row in found.table["rows"]] == [4, 5]
