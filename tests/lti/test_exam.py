@@ -4,7 +4,7 @@ from pathlib import Path
 
 from tests.lti.exam import run
 
-STUDENTS = 10
+STUDENTS = 5
 
 
 def test_nothing_is_refused_and_nothing_lost(tmp_path: Path) -> None:

@@ -27,6 +27,8 @@ from tests.lti.key_server import KeyServer
 
 LTI = "https://purl.imsglobal.org/spec/lti/claim/"
 CLIENT, DEPLOYMENT = "forged-client", "d-1"
+pytestmark = pytest.mark.parametrize("address", ["sqlite"], indirect=True)
+"""What is refused comes to no database."""
 
 
 @pytest.fixture(scope="module")

@@ -22,7 +22,7 @@ from tests.lti.test_killed import killed
 from tests.lti.test_launches import RIGHT, WRONG
 
 REPLICAS = int(os.environ.get("REPLICAS", "2"))
-STUDENTS = 12
+STUDENTS = 8
 ROUNDS = 3
 CUSTOM = {"exercise": "puma560", "settings": json.dumps({"points": 10, "parts": ["table"]})}
 

@@ -19,7 +19,7 @@ from tests.exercises.folders import TWO_LINKS
 from tests.exercises.folders import folder as exercise_folder
 from tests.live_service import running
 
-STUDENTS = 12
+STUDENTS = 6
 
 
 @pytest.fixture
