@@ -152,7 +152,7 @@ campaign: $(VENV)/.dev ## the checker against two million tables, valid and wron
 	$(PY) -m tests.kinematics.equivalence $(ARGS)
 
 explore: $(VENV)/.dev vendor ## the property tests with fresh seeds, and long ones in full; what fails becomes an example (ARGS="tests/kinematics": some)
-	FRAMEWISE_EXPLORE=1 $(PY) -m pytest -n $(PROCESSES) --dist loadfile --no-loadscope-reorder $(or $(ARGS),tests/kinematics tests/exercises tests/service tests/courses/test_policies.py tests/web/test_trainer.py tests/web/test_exercises.py)
+	FRAMEWISE_EXPLORE=1 $(PY) -m pytest -n $(PROCESSES) --dist loadfile --no-loadscope-reorder $(or $(ARGS),tests/kinematics tests/exercises tests/service tests/mued tests/courses/test_policies.py tests/web/test_trainer.py tests/web/test_exercises.py)
 
 campaign-answers: $(VENV)/.dev ## answers to every kind of question, right and wrong, against oracles of their own (an hour; ARGS="--only screws --answers 1000": some)
 	$(PY) -m tests.exercises.meaning $(ARGS)
@@ -165,7 +165,7 @@ students: $(VENV)/.dev ## simulated students in every exercise: do hints lead to
 	$(PY) -m tests.exercises.students $(ARGS)
 
 kill-campaign: $(VENV)/.dev ## kill -9 the service 100 times under load, on SQLite and PostgreSQL, and its worker processes (KILLS=100)
-	KILLS=$(or $(KILLS),100) $(PY) -m pytest tests/lti/test_killed.py tests/service/test_workers.py -k kill --timeout 7200
+	KILLS=$(or $(KILLS),100) $(PY) -m pytest tests/lti/test_killed.py tests/lti/test_regrading_killed.py tests/service/test_workers.py -k kill --timeout 7200
 
 .PHONY: image
 image: ## build the container image (ENGINE=podman), run it without rights, ask it for everything, weigh it
