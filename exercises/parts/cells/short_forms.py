@@ -1,6 +1,6 @@
 """A cell of a matrix: everything that a cell of a table may hold, and short forms.
 
-`c1`, `s23`, `cθ1`, `C(q1)`, `Sθ_1` and the like are understood: c and s stand for cosine and sine, and
+`c1`, `s23`, `cθ₁`, `C(q1)`, `S_{\\theta_1}` and the like are understood: c and s stand for cosine and sine, and
 one-digit indices in a row for the sum of the variables. `c1 (L1 + L2)` is a product.
 """
 
@@ -24,7 +24,9 @@ from kinematics.expressions.values import holds_decimals
 from kinematics.table import JointType
 
 _SHORT = re.compile(r"([cCsS])([0-9]+)")
-_GREEK = re.compile(r"(?<![A-Za-z_])([cCsS])(?:θ|ϑ|\\theta|theta)_?\{?([0-9]+)\}?")
+_THETA = r"(?:θ|ϑ|\\theta|theta|q) ?_?(?:([0-9]+|[₀-₉]+)|\{([0-9]+)\})"
+_GREEK = re.compile(rf"(?<![A-Za-z_\\])([cCsS])(?:{_THETA}|_?\{{ ?{_THETA} ?\}})")
+"""A short form that names the variable: cθ1, cθ₁, c_{\\theta_1}, cq1."""
 _BEFORE_BRACKET = re.compile(
     r"(?<![A-Za-z_])([cCsS])(?= *\()|(?<![A-Za-z0-9_])([cCsS]_?(?:[0-9]+|\{[0-9]+\}))( ?)(?= *\()"
 )
@@ -80,7 +82,7 @@ def _meaning(cell: Cell | NoCell, manner: CellManner) -> CellMeaning:
     variable = _variables(manner.joint_types)
     if not isinstance(cell, str):
         return cell_meaning(cell, position, unit, CELL_LIMITS, variable)
-    text = _GREEK.sub(lambda m: f"{m[1]}{m[2]}".rjust(len(m[0])), cell)
+    text = _GREEK.sub(lambda m: "".join(filter(None, m.groups())).rjust(len(m[0])), cell)
     inserted: list[tuple[int, int]] = []
 
     def written_out(m: re.Match[str]) -> str:

@@ -6,7 +6,7 @@ its right sin(N(lhs - rhs)/2) = 0.
 """
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import islice
@@ -45,8 +45,9 @@ _LETTER = re.compile(r"(?<![A-Za-z_])[knm](?=(?:pi|π)\b|π|[^A-Za-z_0-9(]|$)")
 _ONE_OF = re.compile(r"(?:∈|\\in\b)\s*\\?\{((?:[^{}]|\{[^{}]*\})*?)\\?\}(?=\s*(?:[,;]|$))")
 """The values of a variable as a set: q2 ∈ {0, π}."""
 _DASHES = " -–—−"
-_OR = re.compile(r"(?<=\s)(?:o|ou|u|sau|або|чи)(?=\s)|\bor\b|∨|\n")
-"""Between conditions, in the languages of the pages."""
+_OR = re.compile(r"(?<=\s)(o|ou|u|sau|або|чи)(?=\s)|\bor\b|∨|\\(?:lor|vee)\b|\n")
+"""Between conditions, in the languages of the pages; a word may be a name, too."""
+_PLUS_MINUS = re.compile(r"\\pm\b")
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -69,19 +70,23 @@ class _Equation:
 
 
 def read_conditions(
-    cell: Cell, joint_types: Sequence[JointType], angle_unit: AngleUnit, where: Where
+    cell: Cell,
+    joint_types: Sequence[JointType],
+    angle_unit: AngleUnit,
+    where: Where,
+    names: Collection[str] = (),
 ) -> list[Condition | Fault]:
     """Return for each condition in a cell a function that vanishes just where it holds, or what is wrong.
 
-    Several conditions have commas, semicolons or "or" between them.
+    Several conditions have commas, semicolons or "or" between them; no word for "or" is one of the `names`.
     """
     text = str(cell)
     if len(text) > LONGEST:
         return [Fault.at("cell_too_long", *where, length=len(text), limit=LONGEST)]
-    text = _without_integers(text)
+    text = _PLUS_MINUS.sub("±", _without_integers(text))
     if _NO_EQUATION.search(text) or not text.strip(_DASHES):
         return [_no_condition(cell, where)]
-    equations = list(islice(_equations(text.replace("==", "=")), MOST_CONDITIONS + 1))
+    equations = list(islice(_equations(text.replace("==", "="), names), MOST_CONDITIONS + 1))
     if len(equations) > MOST_CONDITIONS:
         return [Fault.at("conditions_too_many", *where, limit=MOST_CONDITIONS)]
     sides = [side for equation in equations for side in (equation.left, equation.right)]
@@ -118,9 +123,10 @@ def _no_condition(cell: Cell, where: Where) -> Fault:
     return Fault.at("condition_not_equation", *where, text=str(cell).strip()[:80] or "–")
 
 
-def _equations(text: str) -> Iterator[_Equation]:
+def _equations(text: str, names: Collection[str]) -> Iterator[_Equation]:
     left: str | None = None
-    for piece in _pieces(_ONE_OF.sub(r"= \1", _OR.sub(";", text))):
+    beside = _OR.sub(lambda found: found[0] if found[1] in names else ";", text)
+    for piece in _pieces(_ONE_OF.sub(r"= \1", beside)):
         if "=" in piece:
             left, piece = (side.strip() for side in piece.split("=", 1))
         if left is None:

@@ -47,12 +47,13 @@ def read_singularities(raw: SingularityCells, reading: Reading, count: int) -> S
     """Return the functions that vanish, row by row, and the motion; faults are kept in the reading."""
     exercise = reading.instance.exercise
     types = exercise.reference.table.joint_types
+    names = {*exercise.reference.parameters, *exercise.aliases}
     again = replace(reading, faults=[])
     rows: list[tuple[Expression, ...]] = []
     rounded: dict[Expression, tuple[Expression, ...]] = {}
     for i, (cell,) in enumerate(raw.conditions or ()):
         where = ("conditions", i, 0)
-        found = read_conditions(cell, types, exercise.angle_unit, where)
+        found = read_conditions(cell, types, exercise.angle_unit, where, names)
         read = [entry for entry in found if not isinstance(entry, Fault)]
         reading.faults.extend(entry for entry in found if isinstance(entry, Fault))
         own = [reading.own_names(entry.expression, where, idle=entry.idle) for entry in read]

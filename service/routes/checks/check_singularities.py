@@ -152,7 +152,7 @@ def _read(
     rounded: dict[Expression, tuple[Expression, ...]],
 ) -> tuple[Expression, ...]:
     where = ("conditions", i)
-    read = read_conditions(cell, robot.read.table.joint_types, robot.read.angle_unit, where)
+    read = read_conditions(cell, robot.read.table.joint_types, robot.read.angle_unit, where, known)
     functions = known_functions(read, known, [where] * len(read))
     rounded.update((entry.expression, entry.rounded) for entry in read if not isinstance(entry, Fault))
     return functions

@@ -239,6 +239,32 @@ def test_a_short_form_before_a_bracket_is_a_factor(entry: str) -> None:
 
 
 @pytest.mark.parametrize(
+    "entry",
+    [
+        "cθ₁",
+        "Cθ₁",
+        "cϑ_1",
+        "cθ_{1}",
+        "c\\theta_1",
+        "c_{θ1}",
+        "c_{θ₁}",
+        r"c_{\theta_1}",
+        r"c_{\theta_{1}}",
+        "cq1",
+        "cq₁",
+        "c_{q_1}",
+    ],
+)
+def test_a_short_form_may_name_its_variable(entry: str) -> None:
+    types = (JointType.REVOLUTE, JointType.REVOLUTE)
+    (read,) = read_functions([f"a2*{entry}*cθ₂ - 1"], types, AngleUnit.RAD, ("row",))
+    (same,) = read_functions(["a2*cos(q1)*cos(q2) - 1"], types, AngleUnit.RAD, ("row",))
+    assert not isinstance(read, Fault)
+    assert not isinstance(same, Fault)
+    assert read.expression == same.expression
+
+
+@pytest.mark.parametrize(
     ("entry", "column"), [("c1(a2 + ?)", 9), ("c1 (a2 + ?)", 10), ("C(q1) s2(?)", 10), ("c1(c(q2) ?)", 10)]
 )
 def test_a_fault_is_found_where_it_was_typed(entry: str, column: int) -> None:

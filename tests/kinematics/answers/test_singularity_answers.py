@@ -241,6 +241,27 @@ def test_conditions_stand_beside_each_other_in_six_languages(word: str) -> None:
     assert len(read_conditions(f"q3 = 0 {word} q5 = 0", types, AngleUnit.DEG, ("conditions", 0))) == 2
 
 
+@pytest.mark.parametrize("name", ["u", "o", "ou"])
+def test_a_name_is_no_word_between_conditions(name: str) -> None:
+    types = (JointType.REVOLUTE,) * 3
+    wanted = read_conditions(f"v*c23 + {name}*c2", types, AngleUnit.DEG, (), {name, "v"})
+    assert len(wanted) == 1
+    for text in (f"v c23 + {name} c2 = 0", f" {name} c2 + v c23", f"v c23 = - {name} c2"):
+        (found,) = read_conditions(text, types, AngleUnit.DEG, (), {name, "v"})
+        assert isinstance(found, Condition)
+        assert evaluate(found.expression, {name: 0.6, "v": 0.4}, [0.3, 1.2, -0.7]) == pytest.approx(
+            0.6 * math.cos(1.2) + 0.4 * math.cos(0.5)
+        )
+    assert len(read_conditions("q3 = 0 u q2 = 0", types, AngleUnit.DEG, (), {"v"})) == 2
+
+
+def test_conditions_may_be_written_in_latex() -> None:
+    types = (JointType.REVOLUTE,) * 6
+    typed = read_conditions(r"q_3 = 0, \pm\pi \lor q_5 = \pm 90", types, AngleUnit.DEG, ())
+    assert typed == read_conditions("q3 = 0, ±pi; q5 = ±90", types, AngleUnit.DEG, ())
+    assert len(typed) == 5
+
+
 def test_what_always_holds_finds_no_family() -> None:
     found = judged(*PUMA, "0")
     assert {entry.found for entry in found.families} == {0.0}
