@@ -53,10 +53,15 @@ class ChainFactor:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class ChainVerdict:
-    """What is said of a pose."""
+    """What is said of a pose.
+
+    Attributes:
+        entries: (4, 4) which entries are right, row by row.
+    """
 
     rotation: bool
     position: bool
+    entries: tuple[tuple[bool, ...], ...]
     mistakes: tuple[ChainMistake, ...] = ()
 
     @property
@@ -85,19 +90,17 @@ def judge_chain(
     scale = np.full((3, 4), tolerance)
     scale[:, 3] *= size
     near = np.abs(given[:3] - expected[:3]) <= scale
-    bottom = bool((np.abs(given[3] - [0.0, 0.0, 0.0, 1.0]) <= 1e-6).all())
+    last = np.abs(given[3] - [0.0, 0.0, 0.0, 1.0]) <= 1e-6
+    bottom, entries = bool(last.all()), tuple(map(tuple, [*near.tolist(), last.tolist()]))
     rotation, position = bool(near[:, :3].all()) and bottom, bool(near[:, 3].all()) and bottom
     if rotation and position:
-        return ChainVerdict(rotation=True, position=True)
+        return ChainVerdict(rotation=True, position=True, entries=entries)
 
     def looks_like(other: Floats) -> bool:
-        return bottom and bool((np.abs(given[:3] - other[:3]) <= scale).all())
+        return bool((np.abs(given[:3] - other[:3]) <= scale).all())
 
-    return ChainVerdict(
-        rotation=rotation,
-        position=position,
-        mistakes=tuple(_slips(factors, expected, given, looks_like, tolerance)),
-    )
+    slips = _slips(factors, expected, given, looks_like, tolerance) if bottom else (ChainMistake.NOT_RIGID,)
+    return ChainVerdict(rotation=rotation, position=position, entries=entries, mistakes=tuple(slips))
 
 
 def _slips(

@@ -1,6 +1,6 @@
 """A cell of a matrix: everything that a cell of a table may hold, and short forms.
 
-`c1`, `s23`, `cθ₁`, `C(q1)`, `S_{\\theta_1}` and the like are understood: c and s stand for cosine and sine, and
+`c1`, `s23`, `cθ₁`, `C(q1)`, `S_{θ1}` and the like are understood: c and s stand for cosine and sine, and
 one-digit indices in a row for the sum of the variables. `c1 (L1 + L2)` is a product.
 """
 

@@ -161,9 +161,7 @@ class FrameChainType(PartType[FrameChainPart, FrameChainCells, ByName[Floats]]):
         factors = _factors(part, context.instance)
         found = judge_chain(factors, answer, size=context.size / context.unit_ratio, tolerance=part.tolerance)
         facts = [
-            fact(good, "pose", r, c)
-            for r in range(3)
-            for c, good in enumerate((found.rotation,) * 3 + (found.position,))
+            fact(good, "pose", r, c) for r, row in enumerate(found.entries) for c, good in enumerate(row)
         ]
         feedback = [Feedback(code="chain_right" if found.right else "chain_wrong")]
         if found.rotation != found.position:

@@ -275,7 +275,10 @@ def _judged(
 def _judged_angles(
     part: OrientationPart, expected: Matrix3, answer: OrientationAnswer, every: bool
 ) -> OrientationVerdict | None:
-    """Return what is said of triples, and of the relation of a family."""
+    """Return what is said of triples, and of the relation of a family.
+
+    A wrong relation beside right triples leaves half, as do wrong triples beside the right relation.
+    """
     found = None
     if answer.angles is not None:
         found = judge_triples(
@@ -284,9 +287,13 @@ def _judged_angles(
     if answer.family is None or not every:
         return found
     family = judge_family(expected, part.asked_sequence, answer.family, part.tolerance)
-    if family.right and (found is None or found.mistakes == (RotationMistake.FAMILY_MISSING,)):
-        return RIGHT
-    return family if found is None or family.right is False else found
+    if found is None:
+        return family
+    if family.right:
+        holds = found.right or found.mistakes == (RotationMistake.FAMILY_MISSING,)
+        return RIGHT if holds else replace(found, share=0.5)
+    locked = RotationMistake.NOT_LOCKED not in family.mistakes
+    return replace(family, share=max(family.share, found.share) if locked else 0.5 * found.share)
 
 
 PART = OrientationPartType()

@@ -54,7 +54,8 @@ feedback-orientation_wrong =
         [matrix] The matrix is not that of this orientation.
         [quaternion] The quaternion is not that of this orientation.
         [axis_angle] Axis and angle are not those of this orientation.
-       *[other] The angles are not all that belong to this orientation.
+        [angles] The angles are not those of this orientation.
+       *[other] The angles are not all right, or not all there.
     }
 feedback-orientation_missing =
     { $notation ->
@@ -97,7 +98,7 @@ feedback-chain_inverse_without_transpose = The inverse of a pose was formed with
 feedback-chain_inverse_position = The position of an inverse is −Rᵀp, not −p.
 feedback-chain_order_reversed = The factors were multiplied in reverse order.
 feedback-chain_transposed = The rotation is transposed.
-feedback-chain_not_rigid = This is not a rigid motion: its first three columns are not those of a rotation.
+feedback-chain_not_rigid = This is not a rigid motion: its columns are not unit vectors at right angles, or they are left-handed (determinant −1), or its last row is not 0 0 0 1.
 error-euler_axes_unknown = { $axes } is not a sequence of axes: name three of X, Y and Z, neighbours different.
 error-component_order_missing = Say where the scalar of the quaternion is: wxyz or xyzw.
 error-axis_and_angle = An axis needs an angle, and an angle an axis.

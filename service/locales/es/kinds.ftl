@@ -54,7 +54,8 @@ feedback-orientation_wrong =
         [matrix] La matriz no es la de esta orientación.
         [quaternion] El cuaternión no es el de esta orientación.
         [axis_angle] El eje y el ángulo no son los de esta orientación.
-       *[other] Los ángulos no son todos los de esta orientación.
+        [angles] Los ángulos no son los de esta orientación.
+       *[other] Los ángulos no son todos correctos, o no están todos.
     }
 feedback-orientation_missing =
     { $notation ->
@@ -97,7 +98,7 @@ feedback-chain_inverse_without_transpose = La inversa de una pose se formó con 
 feedback-chain_inverse_position = La posición de una inversa es −Rᵀp, no −p.
 feedback-chain_order_reversed = Los factores se multiplicaron en orden inverso.
 feedback-chain_transposed = La rotación está traspuesta.
-feedback-chain_not_rigid = Esto no es un movimiento rígido: sus tres primeras columnas no son las de una rotación.
+feedback-chain_not_rigid = Esto no es un movimiento rígido: sus columnas no son vectores unitarios perpendiculares, o forman una terna levógira (determinante −1), o su última fila no es 0 0 0 1.
 error-euler_axes_unknown = { $axes } no es una secuencia de ejes: tres de X, Y, Z, con vecinos distintos.
 error-component_order_missing = Diga dónde está el escalar del cuaternión: wxyz o xyzw.
 error-axis_and_angle = Un eje necesita un ángulo, y un ángulo un eje.

@@ -54,7 +54,8 @@ feedback-orientation_wrong =
         [matrix] La matrice n’est pas celle de cette orientation.
         [quaternion] Le quaternion n’est pas celui de cette orientation.
         [axis_angle] L’axe et l’angle ne sont pas ceux de cette orientation.
-       *[other] Les angles ne sont pas, ou pas tous, ceux de cette orientation.
+        [angles] Les angles ne sont pas ceux de cette orientation.
+       *[other] Les angles ne sont pas tous justes, ou il en manque.
     }
 feedback-orientation_missing =
     { $notation ->
@@ -97,7 +98,7 @@ feedback-chain_inverse_without_transpose = L’inverse d’une pose a été form
 feedback-chain_inverse_position = La position d’une inverse est −Rᵀp, et non −p.
 feedback-chain_order_reversed = Les facteurs ont été multipliés dans l’ordre inverse.
 feedback-chain_transposed = La rotation est transposée.
-feedback-chain_not_rigid = Ce n’est pas un déplacement rigide : ses trois premières colonnes ne sont pas celles d’une rotation.
+feedback-chain_not_rigid = Ce n’est pas un déplacement rigide : ses colonnes ne sont pas unitaires et perpendiculaires, ou elles forment un trièdre indirect (déterminant −1), ou sa dernière ligne n’est pas 0 0 0 1.
 error-euler_axes_unknown = { $axes } n’est pas une suite d’axes : trois parmi X, Y, Z, les voisins différents.
 error-component_order_missing = Dites où se trouve le scalaire du quaternion : wxyz ou xyzw.
 error-axis_and_angle = À un axe il faut un angle, et à un angle un axe.

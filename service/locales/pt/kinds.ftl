@@ -54,7 +54,8 @@ feedback-orientation_wrong =
         [matrix] A matriz não é a desta orientação.
         [quaternion] O quaternião não é o desta orientação.
         [axis_angle] O eixo e o ângulo não são os desta orientação.
-       *[other] Os ângulos não são todos os desta orientação.
+        [angles] Os ângulos não são os desta orientação.
+       *[other] Os ângulos não estão todos certos, ou faltam alguns.
     }
 feedback-orientation_missing =
     { $notation ->
@@ -97,7 +98,7 @@ feedback-chain_inverse_without_transpose = A inversa de uma pose foi formada com
 feedback-chain_inverse_position = A posição de uma inversa é −Rᵀp, e não −p.
 feedback-chain_order_reversed = Os fatores foram multiplicados na ordem inversa.
 feedback-chain_transposed = A rotação está transposta.
-feedback-chain_not_rigid = Isto não é um movimento rígido: as suas três primeiras colunas não são as de uma rotação.
+feedback-chain_not_rigid = Isto não é um movimento rígido: as suas colunas não são vetores unitários perpendiculares, ou formam um triedro esquerdo (determinante −1), ou a última linha não é 0 0 0 1.
 error-euler_axes_unknown = { $axes } não é uma sequência de eixos: três de X, Y, Z, com vizinhos diferentes.
 error-component_order_missing = Diga onde está o escalar do quaternião: wxyz ou xyzw.
 error-axis_and_angle = Um eixo precisa de um ângulo, e um ângulo precisa de um eixo.

@@ -54,7 +54,8 @@ feedback-orientation_wrong =
         [matrix] Matricea nu este cea a acestei orientări.
         [quaternion] Cuaternionul nu este cel al acestei orientări.
         [axis_angle] Axa și unghiul nu sunt cele ale acestei orientări.
-       *[other] Unghiurile nu sunt toate cele ale acestei orientări.
+        [angles] Unghiurile nu sunt cele ale acestei orientări.
+       *[other] Unghiurile nu sunt toate corecte sau lipsesc unele.
     }
 feedback-orientation_missing =
     { $notation ->
@@ -97,7 +98,7 @@ feedback-chain_inverse_without_transpose = Inversa unei situări a fost formată
 feedback-chain_inverse_position = Poziția unei inverse este −Rᵀp, nu −p.
 feedback-chain_order_reversed = Factorii au fost înmulțiți în ordine inversă.
 feedback-chain_transposed = Rotația este transpusă.
-feedback-chain_not_rigid = Aceasta nu este o mișcare rigidă: primele trei coloane nu sunt cele ale unei rotații.
+feedback-chain_not_rigid = Aceasta nu este o mișcare rigidă: coloanele nu sunt versori perpendiculari, sau formează un triedru stâng (determinant −1), sau ultimul rând nu este 0 0 0 1.
 error-euler_axes_unknown = { $axes } nu este o secvență de axe: trei dintre X, Y, Z, cele vecine diferite.
 error-component_order_missing = Spuneți unde stă scalarul cuaternionului: wxyz sau xyzw.
 error-axis_and_angle = O axă are nevoie de un unghi, iar un unghi de o axă.

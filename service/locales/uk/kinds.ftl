@@ -54,7 +54,8 @@ feedback-orientation_wrong =
         [matrix] Матриця не відповідає цій орієнтації.
         [quaternion] Кватерніон не відповідає цій орієнтації.
         [axis_angle] Вісь і кут не відповідають цій орієнтації.
-       *[other] Кути не відповідають цій орієнтації або наведені не всі.
+        [angles] Кути не відповідають цій орієнтації.
+       *[other] Не всі кути правильні, або наведено не всі.
     }
 feedback-orientation_missing =
     { $notation ->
@@ -97,7 +98,7 @@ feedback-chain_inverse_without_transpose = Обернену позу склад�
 feedback-chain_inverse_position = Положення оберненої пози — це −Rᵀp, а не −p.
 feedback-chain_order_reversed = Множники перемножено у зворотному порядку.
 feedback-chain_transposed = Поворот транспоновано.
-feedback-chain_not_rigid = Це не рух твердого тіла: перші три стовпці не утворюють поворот.
+feedback-chain_not_rigid = Це не рух твердого тіла: стовпці не є перпендикулярними одиничними векторами, або вони утворюють ліву трійку (визначник −1), або останній рядок не 0 0 0 1.
 error-euler_axes_unknown = { $axes } не є послідовністю осей: потрібні три з X, Y, Z, сусідні різні.
 error-component_order_missing = Укажіть, де стоїть скаляр кватерніона: wxyz чи xyzw.
 error-axis_and_angle = До осі потрібен кут, а до кута — вісь.
