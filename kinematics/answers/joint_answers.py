@@ -45,6 +45,9 @@ def judge_joints(question: JointQuestion, answer: JointAnswer) -> JointVerdict:
     loose = tuple(
         not holds and _stays(question, c) for holds, c in zip(valid, answer.combinations, strict=True)
     )
+    if any(valid):  # beside a condition, what is fixed besides is true
+        valid = tuple(a or b for a, b in zip(valid, loose, strict=True))
+        loose = (False,) * len(loose)
     if not question.every:
         reached = bool(rows) and len(good) == len(rows) and not says_none
         too_many = answer.claim is JointClaim.INFINITE and expected is JointClaim.FINITE

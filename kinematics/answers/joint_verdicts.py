@@ -116,7 +116,7 @@ class JointVerdict:
         combination_missing: a family has a member, but not its condition.
         combinations: which of the combinations hold along a family.
         loose: which of the others are fixed along every family, but do not say which configurations belong
-            to it.
+            to it, nor does any other one; beside one that does they hold.
         complete: the solutions are known to be all; false: all that a search found.
     """
 

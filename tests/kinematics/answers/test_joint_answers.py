@@ -259,6 +259,10 @@ def test_a_combination_that_is_fixed_without_saying_what_belongs_to_the_family_i
     answer = JointAnswer(claim=JointClaim.INFINITE, rows=rows, combinations=(combination,))
     found = judge_joints(question, answer)
     assert (found.combinations, found.loose, found.right) == ((False,), (True,), False)
+    beside = judge_joints(question, replace(answer, combinations=((0, 0, 0, 1, 0, 1), combination)))
+    assert (beside.combinations, beside.loose, beside.right) == ((True, True), (False, False), True)
+    false = judge_joints(question, replace(answer, combinations=((0, 0, 0, 1, 0, -1), combination)))
+    assert (false.combinations, false.loose, false.right) == ((False, False), (False, True), False)
 
 
 def test_a_true_condition_stands_whatever_the_rows_are() -> None:
