@@ -17,6 +17,8 @@ Choice = TypeVar("Choice", Mode, Counting, FeedbackTiming)
 
 MOST_ATTEMPTS = 1000
 MOST_POINTS = 1_000_000.0  # More than any course gives; so that a slip of the finger is refused.
+LATEST = datetime(9000, 1, 1, tzinfo=UTC)
+"""No course closes later, and with any extra time it is still a time: Python's calendar ends with 9999."""
 
 
 class LinkSettingsError(CourseError):
@@ -172,7 +174,7 @@ class _SettingsReader:
             return None
         try:
             found = datetime.fromisoformat(str(value))
-            if found.tzinfo is not None:
+            if found.tzinfo is not None and found.astimezone(UTC) < LATEST:
                 return found.astimezone(UTC)
         except (ValueError, OverflowError):
             pass

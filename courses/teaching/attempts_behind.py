@@ -1,7 +1,7 @@
 """The attempts behind a number that staff sees: with a code, of a student, a day, a step or a state."""
 
 from dataclasses import dataclass
-from datetime import UTC, date, datetime, time, timedelta
+from datetime import UTC, date, datetime, time
 from enum import StrEnum
 from typing import Any
 
@@ -105,8 +105,8 @@ def _conditions(whole: sa.Subquery, link_id: int, asked: AttemptFilter) -> list[
         found.append(columns.id.in_(asked.ids))
     found.append(columns.role == "learner" if asked.person is None else records.person.c.key == asked.person)
     if asked.day is not None:
-        begin = datetime.combine(asked.day, time(), UTC)
-        found += [columns.at >= begin, columns.at < begin + timedelta(days=1)]
+        first, last = (datetime.combine(asked.day, each, UTC) for each in (time.min, time.max))
+        found.append(columns.at.between(first, last))
     if asked.number is not None:
         found.append(columns.number == asked.number)
     if asked.correct is not None:

@@ -89,7 +89,7 @@ def _write_canvas(entries: Iterable[GradebookEntry], writer: "csv._writer") -> N
     for entry in entries:
         worth = exercises.get(entry.exercise)
         exercises[entry.exercise] = entry.max_points if worth is None else worth
-    writer.writerow(("Student", "ID", "SIS Login ID", "Section", *exercises))
+    writer.writerow(("Student", "ID", "SIS Login ID", "Section", *map(safe, exercises)))
     writer.writerow(("    Points Possible", "", "", "", *map(_number, exercises.values())))
     students: dict[tuple[str, str], dict[str, float | None]] = {}
     for entry in entries:

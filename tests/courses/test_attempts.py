@@ -4,7 +4,7 @@ import itertools
 import threading
 import time
 from dataclasses import replace
-from datetime import UTC, datetime, timedelta
+from datetime import UTC, date, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
@@ -483,6 +483,7 @@ def test_every_number_has_its_attempts(store: Store) -> None:
             assert len(behind(store, session, outcome=outcome, number=step["attempt"])) == step[name]
     (day,) = found["days"]
     assert len(behind(store, session, day=NOW.date(), correct=True)) == day["correct"] == 2
+    assert behind(store, session, day=date.max) == []
     assert behind(store, session, number=1, correct=True) == [("ann", 1)]
     assert behind(store, session, progress=Progress.STUCK) == [("max", 3)]
 

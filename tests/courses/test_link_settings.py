@@ -31,6 +31,7 @@ def made(**values: Any) -> Any:
         ("points", 0),
         ("attempts", 0),
         ("closes", "2027-03-28T02:30:00"),
+        ("closes", "9999-12-31T23:59:59Z"),
         ("penalti", 0.5),
     ],
 )

@@ -147,8 +147,8 @@ def test_a_gradebook_has_no_line_for_nobody_and_keeps_what_an_exercise_is_worth(
 def test_no_cell_of_a_gradebook_is_a_formula(before: str) -> None:
     """Nor one that a spreadsheet makes where a semicolon or a tab ends a cell, as in most of Europe."""
     entry = GradebookEntry(
-        student=f"{before}=HYPERLINK(1)", exercise="x", points=1, max_points=1, correct=True, codes=(),
-        feedback="@x", source="-1",
+        student=f"{before}=HYPERLINK(1)", exercise=f"{before}=1+1", points=1, max_points=1, correct=True,
+        codes=(), feedback="@x", source="-1",
     )  # fmt: skip
     for form in GradebookFormat:
         stream = io.StringIO()
