@@ -325,9 +325,14 @@ def test_a_login_that_cannot_be_meant_is_refused(
 def test_a_platform_that_is_not_active_does_not_launch(
     forger: Forger, keys: KeyServer, store: Store, platform: Platform
 ) -> None:
+    """Nor with a login of the ten minutes before it was switched off."""
+    begun = forger.begin(keys)
+    token = signed(keys, forger.claims(keys, begun))
     set_status(store, platform.id, PlatformStatus.PENDING)
     try:
         assert forger.begin(keys)["code"] == "lti_platform_inactive"
+        answer = forger.post({"id_token": token, "state": begun["state"]})
+        assert (answer.status_code, answer.json()["code"]) == (400, "lti_platform_inactive")
     finally:
         set_status(store, platform.id, PlatformStatus.ACTIVE)
 

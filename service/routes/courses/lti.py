@@ -116,14 +116,18 @@ def _platform_for(courses: CourseResources, asked: LoginRequest) -> Platform:
         raise LoginError(Fault.at("lti_platform_unknown", **params))
     if len(found) > 1:
         raise LoginError(Fault.at("lti_platform_ambiguous", **params))
-    if found[0].status is not PlatformStatus.ACTIVE:
-        raise LoginError(Fault.at("lti_platform_inactive", **params))
+    _check_active(found[0])
     try:
         http_address(found[0].authorization_endpoint)
     except ValueError:  # an earlier version has stored whatever was typed
         params = {"name": "authorization_endpoint"}
         raise LoginError(Fault.at("lti_configuration_invalid", **params)) from None
     return found[0]
+
+
+def _check_active(platform: Platform) -> None:
+    if platform.status is not PlatformStatus.ACTIVE:
+        raise LoginError(Fault.at("lti_platform_inactive", issuer=platform.issuer[:200]))
 
 
 def _launch(request: Request, given: Mapping[str, str]) -> Response:
@@ -193,6 +197,7 @@ def _opened(request: Request, courses: CourseResources, content: Mapping[str, An
     """Open the session of a launch, and go where it leads."""
     told = dict(content["arrival"])
     platform = platform_by_id(courses.store, content["platform"])
+    _check_active(platform)  # it may have been switched off since the login
     arrival = Arrival(**{**told, "role": Role(told["role"])}, platform=platform)
     root = own_root(request, resources_of(request).settings.public_url)
     query = {"lang": language} if (language := _language(arrival.locale)) else {}
