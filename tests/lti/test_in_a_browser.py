@@ -17,8 +17,9 @@ from service.course_resources import now
 from service.resources import Resources
 from tests.lti.classes import TEACHER, Browser, Lms, eventually, hint
 from tests.lti.test_launches import CUSTOM, RIGHT
-from tests.web.conftest import ARGUMENTS, CHROMIUM, new_context, wait_ready
+from tests.web.conftest import ARGUMENTS, CHROMIUM, wait_ready
 from tests.web.driving import PUMA, cell
+from tests.web.profiles import new_context
 
 BLOCKED = "--test-third-party-cookie-phaseout"
 PATIENCE = 120_000

@@ -15,7 +15,8 @@ from tests.examples import DRAFT
 from tests.lti.classes import TEACHER, Browser, Lms, hint
 from tests.lti.test_in_a_browser import PATIENCE, chromium, framed  # noqa: F401
 from tests.lti.test_launches import CUSTOM, RIGHT, WRONG
-from tests.web.conftest import assert_accessible_at_both_sizes, axe, new_context, wait_ready  # noqa: F401
+from tests.web.conftest import assert_accessible_at_both_sizes, axe, wait_ready  # noqa: F401
+from tests.web.profiles import new_context
 
 Check = Callable[[Page], None]
 pytestmark = pytest.mark.parametrize("address", ["sqlite"], indirect=True)

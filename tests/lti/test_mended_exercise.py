@@ -22,7 +22,7 @@ from tests.exercises.folders import TWO_LINKS, changed, folder, with_part
 from tests.live_service import running
 from tests.lti.test_in_a_browser import PATIENCE, chromium  # noqa: F401
 from tests.lti.test_session_grading import WRONG
-from tests.web.conftest import new_context
+from tests.web.profiles import new_context
 
 MENDED = changed("L1.value = 0.5", "L1.value = 0.6")
 

@@ -10,8 +10,9 @@ from playwright.sync_api import Page, Route, expect
 from tests.lti.classes import Browser, hint
 from tests.lti.test_in_a_browser import chromium, page
 from tests.lti.test_launches import CUSTOM
-from tests.web.conftest import WITHOUT_FRAGMENT, new_context, wait_ready
+from tests.web.conftest import WITHOUT_FRAGMENT, wait_ready
 from tests.web.driving import cell, switch_language
+from tests.web.profiles import new_context
 from tests.web.walking import assigned, by_lecture, ready, walk
 
 __all__ = ["chromium", "page"]

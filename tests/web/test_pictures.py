@@ -66,7 +66,7 @@ def test_a_drawing_that_is_refused_for_good_is_not_asked_for_again(open_page: Op
         page.clock.install()
         page.route("**/figures/*.svg*", refuse)
 
-    page = open_page("/exercises/puma560", before=before)
+    page = open_page("/exercises/puma560", before=before, fresh=True)
 
     def after(seconds: int, times: int) -> None:
         page.clock.run_for(1000 * seconds)

@@ -16,8 +16,9 @@ from playwright.sync_api import Browser, Page, expect
 
 from service.settings import Settings
 from tests.live_service import running
-from tests.web.conftest import PATIENCE, ROOT, new_context
+from tests.web.conftest import ROOT
 from tests.web.driving import cell, fill_table
+from tests.web.profiles import PATIENCE, new_context
 
 RUNTIME = ROOT / "node_modules" / "scorm-again" / "dist"
 ROWS = [
