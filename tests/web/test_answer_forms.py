@@ -16,6 +16,7 @@ from exercises.parts.registry import part_type
 from exercises.parts.task import FieldShape, FormField
 from service.messages import sentence
 from tests.exercises.packaged import exercise, exercise_ids
+from tests.web.axe import EVERYTHING
 from tests.web.conftest import OpenPage, Watch
 from tests.web.driving import all_right, submit, write
 
@@ -41,6 +42,15 @@ def one_of_each_kind() -> dict[str, str]:
 
 
 KINDS = one_of_each_kind()
+
+
+def first_shape(kind: str) -> FieldShape:
+    part, known = context(KINDS[kind])
+    return part_type(kind).task(part, known.instance).form[0].shape
+
+
+RELOADED = KINDS if EVERYTHING else set({first_shape(kind): kind for kind in sorted(KINDS)}.values())
+"""What is stored is stored alike for every kind: one kind of each shape of a first field is opened again."""
 
 
 def label(field: FormField) -> str:
@@ -105,6 +115,8 @@ def test_a_form_is_filled_in_and_judged(
     assert all_right(page)
     assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
     assert_accessible(page)
+    if kind not in RELOADED:
+        return
     before = page.locator(".matrix-field input, .field select").first.input_value()
     page.reload()
     expect(page.locator(".matrix-field input, .field select").first).to_have_value(before)
