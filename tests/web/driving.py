@@ -87,8 +87,8 @@ def fill_matrix(fields: Locator, matrix: Sequence[Sequence[str]]) -> None:
 
 
 def _until(page: Page, condition: Callable[[], bool], complaint: str) -> None:
-    """Let the page go on until something holds, for a minute at most."""
-    for _ in range(3000):
+    """Let the page go on until something holds, for two minutes at most."""
+    for _ in range(6000):
         if condition():
             return
         page.wait_for_timeout(20)

@@ -100,7 +100,7 @@ def dimension(page: Page, number: int = 0) -> dict[str, Any]:
 
 def changed(page: Page, before: dict[str, Any]) -> dict[str, Any]:
     """The first dimension, once it is another than before: input events take their time."""
-    for _ in range(200):
+    for _ in range(1200):
         now = dimension(page)
         if now != before:
             return now
