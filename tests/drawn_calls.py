@@ -14,9 +14,7 @@ from schemathesis.pytest._test_builder import build_operation_test
 Test = Callable[..., None]
 
 MOST = (
-    None
-    if os.environ.get("FRAMEWISE_EXPLORE")
-    else {GenerationMode.POSITIVE: 12, GenerationMode.NEGATIVE: 40}
+    None if os.environ.get("FRAMEWISE_EXPLORE") else {GenerationMode.POSITIVE: 8, GenerationMode.NEGATIVE: 24}
 )
 """Covering cases of a call, allowed and forbidden; a call has up to 1 150, `make explore` sends all.
 

@@ -27,7 +27,7 @@ from tests.drawn_calls import for_each_call
 from tests.examples import SCARA_CHAIN, TWO_LINKS
 from tests.service.likely_requests import likely, with_whole_robots
 
-EXAMPLES = 40 if EXPLORE else 5
+EXAMPLES = 40 if EXPLORE else 4
 
 MESSAGES = Path(__file__).resolve().parents[2] / "service" / "locales" / "en"
 

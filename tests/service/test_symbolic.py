@@ -214,7 +214,7 @@ def test_a_large_table_still_becomes_a_function(client: httpx.Client) -> None:
 
 
 def test_hostile_requests_end_in_time_and_delay_nobody() -> None:
-    settings = Settings(symbolic_seconds=1.0, symbolic_queue=1)
+    settings = Settings(symbolic_seconds=0.5, symbolic_queue=1)
     everything = {
         "formats": ["python", "numpy", "c", "matlab", "javascript"],
         "jacobian": True,
