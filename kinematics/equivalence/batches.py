@@ -70,7 +70,7 @@ def axes_of_tables(
         directions.take(rows, axis=0, out=found.directions[1:-1], mode="clip")
         points.take(rows, axis=0, out=found.points[1:-1], mode="clip")
     else:
-        each = np.array(joints, dtype=np.intp).reshape(-1, n).T[:, which]
+        each = np.array(joints, dtype=np.intp).reshape(len(joints), n).T[:, which]
         found.directions[1:-1] = directions[each, :, np.arange(k)].transpose(0, 2, 1)
         found.points[1:-1] = points[each, :, np.arange(k)].transpose(0, 2, 1)
     signs = [[table.rows[i].sign for i in rows] for table, rows in zip(tables, joints, strict=True)]

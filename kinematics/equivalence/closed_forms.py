@@ -128,8 +128,7 @@ class LengthForms:
         self._near = CLOSE * (size or 1.0)
         self._digits = DIGITS - math.ceil(math.log10(size or 1.0))
         which, signs = _sums(len(self._atoms))
-        padded = np.concatenate([self._values, np.zeros((1, len(draws)))])
-        self._sums = np.einsum("sk,skd->sd", signs, padded[which])
+        self._sums = np.einsum("sk,skd->sd", signs, self._values[which])
 
     def form(self, values: Sequence[float]) -> Expression | None:
         """Return the combination of atoms and of a decimal number that takes these values at the draws.
@@ -165,7 +164,7 @@ class LengthForms:
         basis = np.column_stack([self._values.T, np.ones(len(goal))])
         if basis.shape[0] < basis.shape[1]:
             return None
-        weights, _, rank, _ = np.linalg.lstsq(basis, goal, rcond=1e-10)
+        weights, _, rank, _ = np.linalg.lstsq(basis, goal)
         near = max(self._near, CLOSE * float(np.abs(goal).max()))
         if rank < basis.shape[1] or np.abs(basis @ weights - goal).max() > near:
             return None
@@ -190,7 +189,7 @@ def _sums(n: int) -> tuple[NDArray[np.int16], NDArray[np.int8]]:
     """Sums and differences of one to three of n atoms, or of as many as keep their number bounded.
 
     Returns:
-        (sums, 3) the atoms of each, n standing for none, and (sums, 3) their signs, 0 for none.
+        (sums, 3) the atoms of each, and (sums, 3) their signs, 0 where there are fewer.
     """
     which: list[list[int]] = []
     signs: list[list[int]] = []
@@ -199,7 +198,7 @@ def _sums(n: int) -> tuple[NDArray[np.int16], NDArray[np.int8]]:
             break
         for chosen in combinations(range(n), k):
             for signed in product((1, -1), repeat=k):
-                which.append([*chosen, *[n] * (MOST_TERMS - k)])
+                which.append([*chosen, *[0] * (MOST_TERMS - k)])
                 signs.append([*signed, *[0] * (MOST_TERMS - k)])
     shape = (len(which), MOST_TERMS)
     return np.array(which, dtype=np.int16).reshape(shape), np.array(signs, dtype=np.int8).reshape(shape)

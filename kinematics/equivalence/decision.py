@@ -86,11 +86,9 @@ def _measured(
     """The certificate with the largest residual that a climb finds, unless it is exact."""
     if certificate.residual <= ARITHMETIC:
         return certificate
-    found = [
-        max(worst_case(reference.beside(chain), chain, draw).residual)
-        for reference, chain, draw in zip(references, submissions, certificate.draws, strict=True)
-    ]
-    return replace(certificate, residual=max(certificate.residual, *found))
+    beside = map(Reference.beside, references, submissions)
+    found = map(worst_case, beside, submissions, certificate.draws)
+    return replace(certificate, residual=max(certificate.residual, *(max(worst.residual) for worst in found)))
 
 
 def convention_fits(convention: Convention, rule: ConventionRule) -> bool:
@@ -153,7 +151,7 @@ def _found(
         )
         return next((found for found in tried if found is not None), None)
 
-    coarser = EXACT.length <= wanted.length and EXACT.angle <= wanted.angle and wanted != EXACT
+    coarser = min(wanted.length, wanted.angle) > EXACT.angle
     if coarser and not surely_apart(references[0], submissions[0], EXACT):
         # among axes that are nearly parallel, alignments lever up the errors of the arithmetic
         is_refined = effort is Effort.REFINED

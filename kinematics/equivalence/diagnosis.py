@@ -124,9 +124,8 @@ def _trails(plan: Plan, reference: Reference, submission: Chain, policy: Policy)
         reference.chain.axes, NOTICEABLE * policy.tolerance.angle, NOTICEABLE * policy.tolerance.length * size
     )
     trails = [Trail(0.0, start, (), ()) for start in plan.starts]
-    for depth, step in enumerate(plan.steps):
-        axis = submission.axes[depth]
-        following = plan.steps[depth + 1].group if depth + 1 < len(plan.steps) else plan.last
+    groups = [*(step.group for step in plan.steps), plan.last]
+    for step, axis, following in zip(plan.steps, submission.axes, groups[1:], strict=True):
         longer = [_onward(trail, step, axis, sign, judge) for trail in trails for sign in (1, -1)]
         longer.sort(key=lambda trail: trail.cost)
         trails = []

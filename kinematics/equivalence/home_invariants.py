@@ -12,7 +12,7 @@ import numpy as np
 from kinematics.caching import USUAL_ROWS, cached_by_size
 from kinematics.chain import Axis
 from kinematics.equivalence.batches import axis_batch
-from kinematics.equivalence.invariants import FLOOR, SLACK, STEEPEST, Invariants, axes_of
+from kinematics.equivalence.invariants import FLOOR, SLACK, STEEPEST, Invariants, axes_of, spanning_axes
 from kinematics.equivalence.measures import PARALLEL, Measure, Shape, measured
 from kinematics.equivalence.policy import BaseRule, Policy, ToolRule, ZeroRule
 from kinematics.equivalence.reference import Reference
@@ -36,22 +36,18 @@ def home_invariants_of(reference: Reference, policy: Policy) -> Invariants:
         last = len(axes) - (1 if policy.tool in (ToolRule.POINT, ToolRule.FRAME) else 2)
         for i in range(first, last - 1):
             for j in range(i + 2, min(i + FARTHEST, last) + 1):
-                found += _between(i, j, (axes[i], axes[j]), reference.size, policy)
+                found += _between(axes, i, j, reference.size, policy)
         found += _past_sliders(axes, first, last, reference.size, policy)
     shapes = tuple(shape for shape, _ in found)
-    slacks = np.array([slack for _, slack in found], dtype=np.float64).reshape(-1, 1)
+    slacks = np.array([slack for _, slack in found], dtype=np.float64)[:, None]
     return Invariants(shapes, measured(shapes, axis_batch([axes])) if shapes else np.empty((0, 1)), slacks)
 
 
-def _between(
-    i: int, j: int, axes: tuple[Axis, Axis], size: float, policy: Policy
-) -> list[tuple[Shape, float]]:
+def _between(axes: Sequence[Axis], i: int, j: int, size: float, policy: Policy) -> list[tuple[Shape, float]]:
     found = [(Shape(Measure.ANGLE, (i, j)), SLACK * policy.tolerance.angle + FLOOR)]
-    sine = norm(cross(axes[0].direction, axes[1].direction))
-    flat = sine < PARALLEL
-    if (flat or sine > STEEPEST) and not (axes[0].prismatic or axes[1].prismatic):
-        spanning = (i,) if flat else (i, j)
-        slack = (SLACK * policy.tolerance.length + FLOOR) * size / (1.0 if flat else sine)
+    spanning, steepness = spanning_axes(axes, (i, j))
+    if steepness > STEEPEST and not (axes[i].prismatic or axes[j].prismatic):
+        slack = (SLACK * policy.tolerance.length + FLOOR) * size / steepness
         found.append((Shape(Measure.DISTANCE, (i, j, *spanning)), slack))
     return found
 

@@ -163,25 +163,25 @@ def _between(
         k += 1
     if axes[i].prismatic or axes[k].prismatic:
         return found
-    spanning, steepness = _spanning(axes, (i, *range(k, i, -1)))
+    spanning, steepness = spanning_axes(axes, (i, *range(k, i, -1)))
     if len(spanning) < DIMENSIONS:
         slack = (SLACK * policy.tolerance.length + FLOOR) * size / steepness
         found.append((Shape(Measure.DISTANCE, (i, k, *spanning)), slack))
     return found
 
 
-def _spanning(axes: Sequence[Axis], candidates: Sequence[int]) -> tuple[tuple[int, ...], float]:
-    """Which of some axes span the directions of all of them, and how steep the flattest of these is."""
+def spanning_axes(axes: Sequence[Axis], candidates: Sequence[int]) -> tuple[tuple[int, ...], float]:
+    """Return which of some axes span the directions of all, and how steep the flattest of these is."""
     chosen: list[int] = []
     basis: list[Vector] = []
-    steepness = 1.0
+    steepness: list[float] = []
     for k in candidates:
         rest = outside(axes[k].direction, tuple(basis))
         if norm(rest) > PARALLEL:
             chosen.append(k)
-            steepness = min(steepness, norm(rest))
+            steepness.append(norm(rest))
             basis.append(unit(rest))
-    return tuple(chosen), max(steepness, STEEPEST)
+    return tuple(chosen), max(min(steepness), STEEPEST)
 
 
 def _along(axes: Sequence[Axis], i: int, last: int, size: float, policy: Policy) -> list[tuple[Shape, float]]:
@@ -222,7 +222,7 @@ def _across(
         return []
     sliders = range(b + 1, c)
     plane = next((k for k in sliders[:-1] if not _parallel(axes[k], axes[k + 1])), None)
-    if plane is None or len(_spanning(axes, sliders)[0]) == DIMENSIONS:
+    if plane is None or len(spanning_axes(axes, sliders)[0]) == DIMENSIONS:
         return []
     normal = cross(axes[plane].direction, axes[plane + 1].direction)
     first = 0 if policy.base in (BaseRule.ORIGIN, BaseRule.FRAME) else 1
@@ -268,7 +268,7 @@ def _end_of_run(axes: Sequence[Axis], k: int, beyond: Sequence[int]) -> _End | N
     if next_turning is None:
         return None
     sliders = range(k, next_turning, 1 if next_turning > k else -1)[1:]
-    spanning, _ = _spanning(axes, (next_turning, *sliders))
+    spanning, _ = spanning_axes(axes, (next_turning, *sliders))
     if len(spanning) == 1:
         slider, steepness = k, norm(cross(axes[next_turning].direction, axes[k].direction))
     else:

@@ -42,7 +42,6 @@ SHORTENED = 0.5
 """Of the way to the best certificate at the samples; the whole would only exchange one worst for another."""
 DIVERGED = 4.0  # An error that grows so much comes from a bad start.
 NARROW = 0.97  # In units of the tolerance: the three per cent that docs/checker.md leaves undecided.
-HOPELESS = 1.2  # In units of the tolerance: no step nearby helps from there on.
 CLOSE = 1.03  # The least largest error is known to three per cent, as NARROW asks.
 DAMPING = 1e-6
 """A share of the largest curvature: directions that change the errors a thousand times less follow the
@@ -168,7 +167,7 @@ class Model:
 
     def after(self, step: Floats) -> Floats:
         """(samples·2,) sizes of the errors after a step."""
-        rest = self.errors - (self.jacobian @ step).reshape(-1, 3)
+        rest = self.errors - (self.jacobian @ step).reshape(self.errors.shape)
         return np.asarray(np.sqrt(np.einsum("ij,ij->i", rest, rest)), dtype=np.float64)
 
     def mean_square(self, step: Floats | None = None) -> float:
@@ -207,7 +206,7 @@ class Model:
                 best, largest_error = step, float(squares.max())
             mean = float(weights @ squares)
             bound = max(bound, mean)
-            if largest_error < CLOSE**2 * bound or bound > HOPELESS**2:
+            if largest_error < CLOSE**2 * bound:
                 break
             weights = weights * squares / mean
         return best, math.sqrt(bound)
@@ -251,7 +250,7 @@ class RefinementProblem:
         jacobian = np.concatenate(columns, axis=2) / self._units[:, None]
         errors = _mismatch(left, right) / self._units
         return Model(
-            errors=errors.reshape(-1, 3),
+            errors=errors.reshape(2 * len(errors), 3),
             jacobian=jacobian.reshape(jacobian.shape[0] * jacobian.shape[1], jacobian.shape[2]),
             found=largest(left - right, size),
             damping=self.damping,
@@ -259,7 +258,7 @@ class RefinementProblem:
 
     def with_columns(self, model: Model, columns: Sequence[Floats]) -> Model:
         """Return a model in which more may change: (samples, 6) how frame N turns and moves with each."""
-        more = [(column / self._units).reshape(-1, 1) for column in columns]
+        more = [(column / self._units).ravel()[:, None] for column in columns]
         return replace(model, jacobian=np.concatenate([model.jacobian, *more], axis=1))
 
     @property
@@ -284,7 +283,7 @@ class RefinementProblem:
 def _left_side(submission: Chain, joints: Floats) -> tuple[Floats, Floats]:
     """F_s (samples, 4, 4), and how frame N turns and moves with each joint (samples, 6, n)."""
     n, samples = joints.shape
-    motions = joint_motions(submission, joints) if n else np.empty((0, samples, 4, 4))
+    motions = joint_motions(submission, joints)
     prefix = np.broadcast_to(np.eye(4), (samples, 4, 4))
     directions = np.empty((n, samples, 3))
     points = np.empty((n, samples, 3))

@@ -188,8 +188,7 @@ def obeying(choice: ToolChoice, tool: Motion) -> Motion:
     back = inverse(choice.target)
     axis = choice.step.axis
     direction = rotate(back, axis.direction)
-    if dot(direction, z_axis(tool)) < 0.0:
-        direction = scale(direction, -1.0)
+    direction = scale(direction, math.copysign(1.0, dot(direction, z_axis(tool))))
     tool = compose(turn_onto(position(tool), z_axis(tool), direction), tool)
     if axis.prismatic:
         return tool

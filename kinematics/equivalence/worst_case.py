@@ -99,7 +99,7 @@ def worst_case(reference: Reference, submission: Chain, candidate: CertificateCa
     if not n:
         return WorstCase(_residual(shift.max(), turn.max(), reference), reference.joints[:, starts])
     climb = _Climb(reference, submission, candidate, reference.joints[:, starts])
-    reached = np.array([shift[starts[:STARTS]].max(), turn[starts[STARTS:]].max()])
+    reached = np.zeros(2)
     for sweep in range(MOST_SWEEPS):
         squares = climb.forward_sweep() if sweep % 2 == 0 else climb.backward_sweep()
         before, reached = reached, squares.reshape(2, STARTS).max(axis=1)
@@ -128,7 +128,7 @@ class _Climb:
         self._range = reference.size
         self._terms = _terms(reference, submission, candidate)
         self._before = np.empty((n + 1, 2, k, 4, 4))
-        self._after = np.empty((n + 1, 2, k, 4, 4))
+        self._after = np.empty_like(self._before)
         self._before[0, 0], self._before[0, 1] = np.eye(4), to_matrix(candidate.base)
         self._after[n, 0] = to_matrix(submission.end)
         self._after[n, 1] = to_matrix(reference.chain.end) @ to_matrix(candidate.tool)
@@ -158,12 +158,12 @@ class _Climb:
         sides = self._before[i][:, :, None] @ self._terms[i][:, None] @ self._after[i + 1][:, :, None]
         difference = sides[0] - sides[1]
         shifts = difference[:STARTS, :, :3, 3]
-        turns = difference[STARTS:, :, :3, :3].reshape(-1, 3, 9)
+        turns = difference[STARTS:, :, :3, :3].reshape(STARTS, 3, 9)
         grams = np.concatenate([shifts @ shifts.transpose(0, 2, 1), turns @ turns.transpose(0, 2, 1)])
         if self._prismatic[i]:
             self.joints[i] = np.where(grams[:, 0, 1] >= 0.0, self._range, -self._range)
         else:
-            self.joints[i] = _highest(grams.reshape(-1, 9))
+            self.joints[i] = _highest(grams.reshape(len(grams), 9))
         return grams, self._weights(i)
 
     def _weights(self, i: int) -> Floats:
@@ -181,7 +181,7 @@ class _Climb:
     def _motion(self, i: int, weights: Floats) -> Floats:
         """(2, k, 4, 4) a joint's motion on either side."""
         flat = weights @ self._terms[i].reshape(2, 3, 16)
-        return np.asarray(flat.reshape(2, -1, 4, 4), dtype=np.float64)
+        return np.asarray(flat.reshape(2, len(weights), 4, 4), dtype=np.float64)
 
 
 def _terms(reference: Reference, submission: Chain, candidate: CertificateCandidate) -> Floats:
