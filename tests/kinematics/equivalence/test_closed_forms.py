@@ -110,6 +110,20 @@ def test_angles_are_multiples_of_fifteen_degrees_and_sums_of_names() -> None:
     assert form(multiply((number(3), atoms[0]))) is None
 
 
+def test_two_draws_tell_a_number_and_a_name_apart() -> None:
+    draws = draws_of(["L0", "L1"])[:2]
+    forms = LengthForms([Parameter("L0"), Parameter("L1")], draws, 1.5)
+    assert forms.form([0.25, 0.25]) == Number(Fraction(1, 4))
+    both = add((Parameter("L1"), Number(Fraction(1, 4))))
+    assert forms.form([evaluate(both, draw) for draw in draws]) == both
+
+
+def test_an_angle_is_given_at_every_draw() -> None:
+    draws = draws_of(["beta"])
+    with pytest.raises(ValueError, match="longer"):
+        angle_form([draw["beta"] for draw in draws[:-1]], [Parameter("beta")], draws)
+
+
 def test_angle_sums_of_many_names_are_bounded() -> None:
     names = names_of(500)
     draws = draws_of(names)

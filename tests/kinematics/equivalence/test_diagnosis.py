@@ -1,5 +1,6 @@
 """What is wrong with a table: as few facts as explain it, each of its own kind, with its own amount."""
 
+import math
 from dataclasses import replace
 from random import Random
 
@@ -115,6 +116,15 @@ def test_a_missed_tool_is_told_of_the_last_joint() -> None:
         (Kind.OFFSET, 5, 4),
     ]
     assert [mismatch.length for mismatch in found] == pytest.approx([0.3, 0.3])
+
+
+def test_a_missed_tool_is_one_wrong_fact_as_a_twist_is() -> None:
+    """An axis that is turned over has the wrong twist, or its tool at the wrong end: that leaves less."""
+    key = standard((R, 1.1, 0.4, 0.2, 0.3), (R, -0.7, 0.3, 0.25, 0.1), (R, 0, 0.35, 0.15, -0.2))
+    over = changed(key, 2, alpha=math.pi - 0.7)
+    found = diagnose(prepared(key), over, chain_of_table(over), Policy(tool=ToolRule.POINT))
+    assert [(one.kind, one.joint) for one in found] == [(Kind.TOOL, 3), (Kind.OFFSET, 3)]
+    assert [one.length for one in found] == pytest.approx([2 * 0.15, 2 * 0.15])
 
 
 def test_a_missed_tool_of_a_slider_says_all() -> None:

@@ -89,6 +89,21 @@ def test_the_signs_that_fit_best_are_those_of_the_certificate(seed: int) -> None
         assert len(set(found)) == len(found)
 
 
+@pytest.mark.parametrize("seed", range(8))
+def test_signs_are_those_of_axes_that_are_parallel_only_nearly(seed: int) -> None:
+    """However small the angles between them: in an exact table they tell which way the axes point."""
+    key = standard(*((R, twist, 0.4, 0.2 + twist, 0.1) for twist in (0.009, 0.004, 0.008, 0.7)))
+    table = random_valid_table(key, Random(f"nearly parallel {seed}"), dummies=0.0)
+    certificate = decide(key, table, FREE).certificate
+    assert certificate is not None
+    assert likely_signs(prepared(key), chain_of_table(table), FREE)[0] == certificate.joint_signs
+
+
+def test_a_table_is_given_at_every_draw() -> None:
+    with pytest.raises(ValueError, match="shorter"):
+        decide_draws((SKEW, changed(SKEW, 2, a=0.5)), (SKEW,), FREE)
+
+
 def test_what_fits_at_no_draw_is_told_from_the_first() -> None:
     keys = (SKEW, changed(SKEW, 2, a=0.5))
     decision = decide_draws(keys, (changed(SKEW, 1, a=0.6), keys[1]), FREE)

@@ -77,6 +77,15 @@ def test_numbers_are_proved_as_well() -> None:
     assert proved(read("standard", numeric), read("standard", moved)) is not None
 
 
+@pytest.mark.parametrize("unit", ["", "0000000", "000000000000"])
+def test_numbers_in_a_large_unit_are_proved(unit: str) -> None:
+    """How many decimals a length has, and which is none, is seen beside the longest and not beside 1."""
+    cells = {"a2": f"0.{unit}4318", "a3": f"0.{unit}0203", "d3": f"0.{unit}15005", "d4": f"0.{unit}4318"}
+    numeric = [tuple(cells.get(cell, cell) for cell in row) for row in PUMA]
+    on_a_pillar = [("pi/2", 0, f"0.{unit}66127", "q1"), *numeric[1:]]
+    assert proved(read("standard", numeric), read("standard", on_a_pillar)) is not None
+
+
 def test_a_slider_with_an_offset_in_symbols() -> None:
     arm = [("pi/2", 0, 0, "q1"), ("pi/2", 0, "q2", "pi/2"), (0, "L3", 0, "q3")]
     other = [("pi/2", 0, 0, "q1"), ("pi/2", 0, "q2 + 2L1 - L3", "pi/2"), (0, "L3", 0, "q3")]

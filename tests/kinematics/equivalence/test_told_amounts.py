@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from fractions import Fraction
 from itertools import product
 
@@ -10,12 +11,12 @@ import pytest
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import BaseRule, DirectionRule, Kind, Policy, ToolRule, ZeroRule, decide
 from kinematics.equivalence.closed_forms import CLOSE, known_number
-from kinematics.equivalence.decision import certify
+from kinematics.equivalence.decision import EXACT, certify
 from kinematics.equivalence.diagnosis import diagnose
 from kinematics.equivalence.meter import Meter, per_batch, per_certificate
 from kinematics.equivalence.policy import Tolerance
 from kinematics.equivalence.reference import SAMPLES, prepared
-from kinematics.equivalence.search import Effort
+from kinematics.equivalence.search import Effort, Search
 from kinematics.equivalence.verification import Residual, residual
 from kinematics.expressions import evaluate
 from kinematics.table import NumericTable
@@ -181,6 +182,40 @@ def test_what_a_decision_costs(name: str, policy: Policy, effort: Effort, cost: 
     """The right table, and one with an angle that is just beyond the tolerance."""
     key = dict(catalogue())[name]
     assert (spent(key, key, policy, effort), spent(key, slipped(key), policy, effort)) == cost
+
+
+@pytest.mark.parametrize("direction", DirectionRule)
+def test_an_alignment_is_followed_up_to_nine_tolerances(direction: DirectionRule) -> None:
+    """What is farther off comes from no rounding; the joints behind it need not be looked at."""
+
+    def looked_at(tolerances: float) -> int:
+        table = changed(PUMA, 3, alpha=PUMA.rows[2].alpha + tolerances * FREE.tolerance.angle)
+        policy = replace(FREE, direction=direction)
+        search = Search([prepared(PUMA)], [chain_of_table(table)], policy, 0, Effort.PLAIN)
+        assert search.run() is None
+        return search.nodes
+
+    assert looked_at(8.5) > looked_at(9.5) == looked_at(19.0)
+
+
+def test_an_exact_certificate_is_looked_for_where_a_coarser_one_would_do() -> None:
+    """Twice the work, then, for a table that has neither; and in whole units."""
+
+    def cost(tolerance: float) -> int:
+        policy = replace(FREE, tolerance=Tolerance(length=tolerance, angle=tolerance))
+        return spent(PUMA, changed(PUMA, 2, alpha=1.5e-8), policy, Effort.REFINED)
+
+    dearer = cost(1.1 * EXACT.angle)
+    assert cost(0.9 * EXACT.angle) == cost(EXACT.angle) < dearer
+    assert isinstance(dearer, int)
+
+
+def test_a_tolerance_may_be_finer_than_the_exact_one_in_one_of_two() -> None:
+    """An angle is held to it, whatever is allowed of lengths."""
+    table = changed(PUMA, 2, alpha=2e-9)
+    for angle, accepted in (1e-9, False), (EXACT.angle, True):
+        policy = replace(FREE, tolerance=Tolerance(length=5e-3, angle=angle))
+        assert decide(PUMA, table, policy).accepted is accepted
 
 
 def slipped(key: NumericTable) -> NumericTable:
