@@ -13,7 +13,7 @@ from kinematics.chain import frames_at_zero
 from kinematics.equivalence import Certificate, ExactCertificate
 from kinematics.equivalence.reference import prepared, prepared_for
 from kinematics.se3 import Motion, compose, from_matrix, inverse, position, rotation_about, scale, translation
-from kinematics.table import JointType, NumericTable
+from kinematics.table import Convention, JointType, NumericTable
 
 NOTICED = 1e-3  # [rad], and a share of the robot: smaller differences of frames are not told.
 NOTICED_IF_ROUNDED = 0.02  # The same, where rounded entries turn and move frames by a little of their own.
@@ -51,6 +51,7 @@ def explained(
         told += _joints(key, answer, certificate)
         told += _zeros(answer, certificate, exact, unit, noticed)
         told += _ends(key, answer, certificate, noticed)
+        told += _between(key, answer, certificate, noticed)
     if all(said.code in OF_VARIABLES for said in told):
         told.insert(0, Feedback(code="same_frames"))
     if certificate.residual > ROUNDED:
@@ -150,6 +151,21 @@ def _ends(
         apart = compose(compose(inverse(ours[end]), motions[end]), theirs[end])
         joint = _joint_of_axis(answer, k)
         yield from (said for said in _apart(apart, k, joint, noticed) if said.code != "axis_reversed")
+
+
+def _between(
+    key: NumericTable, answer: NumericTable, certificate: Certificate, noticed: _Noticed
+) -> Iterator[Feedback]:
+    """Frames of one convention on joint axes, without the ends; z and x of a joint are told elsewhere."""
+    if answer.convention is not key.convention:
+        return
+    motions, behind = _body_motions(key, certificate), key.convention is Convention.MODIFIED
+    ours, theirs = frames_at_zero(key), frames_at_zero(answer)
+    for i, (mine, k) in enumerate(zip(key.axis_frames, answer.axis_frames, strict=True)):
+        if 0 < k < len(answer.rows):
+            apart = compose(compose(inverse(ours[mine]), motions[i + behind]), theirs[k])
+            told = _apart(apart, k, i + 1, noticed)
+            yield from (said for said in told if said.code in ("axis_moved", "origin_slid"))
 
 
 def _joint_of_axis(table: NumericTable, k: int) -> int | None:

@@ -7,7 +7,7 @@ import pytest
 from exercises.grading import Policy, ToolRule, grade
 from exercises.grading.judging.frames import _apart, _Noticed
 from kinematics.se3 import Motion, compose, rotation_about, translation
-from tests.exercises.grading.test_grade import KEY, PUMA, PUMA_CRAIG, with_cells
+from tests.exercises.grading.test_grade import KEY, PUMA, PUMA_CRAIG, Rows, with_cells
 from tests.exercises.grading.told import codes
 from tests.exercises.grading.written import Cell, read
 
@@ -139,6 +139,18 @@ def test_what_is_told_of_the_frames_of_a_right_answer(
     verdict = grade(KEY, read(convention, with_cells(rows, *cells)), Policy(tool=ToolRule.FREE))
     assert verdict.correct
     assert [(entry.code, entry.row, dict(entry.params)) for entry in verdict.feedback] == told
+
+
+@pytest.mark.parametrize(("rows", "row"), [(PUMA, 2), (PUMA_CRAIG, 2)])
+def test_an_origin_between_the_ends_is_told_beside_a_row_that_no_joint_needs(rows: Rows, row: int) -> None:
+    convention = "standard" if rows is PUMA else "modified"
+    before, after = rows[row - 1][2], rows[row][2]
+    slid = with_cells(rows, (row, 2, f"{before} + 0.2"), (row + 1, 2, f"{after} - 0.2"))
+    verdict = grade(read(convention, rows), read(convention, [*slid, (0, 0, 0, 0)]), Policy())
+    assert verdict.correct
+    assert [(said.code, said.params) for said in verdict.feedback] == [("origin_slid", {"frame": row})]
+    key_with_row = read(convention, [*rows, (0, 0, 0, 0)])
+    assert codes(grade(key_with_row, read(convention, slid), Policy())) == ["origin_slid"]
 
 
 def test_frames_between_joints_move_with_the_joint_before_them() -> None:

@@ -152,6 +152,17 @@ def test_no_reason_claims_to_be_the_only_difference(language: str, only: str) ->
         assert only not in text.split()[0]
 
 
+def test_an_origin_that_lies_elsewhere_is_a_reason_beside_a_row_of_zeros() -> None:
+    key = asked("scara").reference
+    first, second, third, *others = written_table(key).rows
+    slid = (first, replace(second, d="a2"), replace(third, d="q3 - a2"), *others)
+    for rows in (slid, (*slid, RawRow(joint=JointType.FIXED, theta=0, d=0, a=0, alpha=0))):
+        read = read_table(replace(written_table(key), rows=rows))
+        verdict = grade_table(key, read, mechanism_only(asked("scara").policy), {"a2": 0.4, "a3": 0.3})
+        assert verdict.correct
+        assert true_reasons(verdict) == {ComparisonReason.ORIGIN_MOVED}
+
+
 def test_reasons_across_conventions_name_reversed_axes_and_moved_ends_too() -> None:
     """Frames do not correspond one by one there, but the axes of joints and the two ends do."""
     found = exercise("stanford-compare")
