@@ -23,6 +23,7 @@ from courses.storage.statements import filled, of_student
 
 _OUTBOX = records.score_to_send
 LEASE = timedelta(seconds=60)  # Longer than sending may take with every time-out.
+LINE_ITEM_GONE = "line_item_gone"  # Stable code of a score whose line item the platform has no more.
 _LONGEST_PAUSE = timedelta(hours=25)
 """No score waits longer for its next try: what is due later became so while the clock was ahead."""
 
@@ -154,9 +155,16 @@ def bumped(store: Store, sent: ScoreToSend, now: datetime) -> ScoreToSend:
 
 
 def resend(store: Store, link_id: int, now: datetime) -> int:
-    """Send what could not be delivered of a link again; return how many there are."""
+    """Send what could not be delivered of a link again; return how many there are.
+
+    A line item that is gone is looked for again, and made if there is none, where the platform lists them.
+    """
     wanted = sa.and_(_OUTBOX.c.link_id == link_id, _OUTBOX.c.dead.is_(True))
+    link = records.link.c
+    is_gone = sa.exists().where(wanted, _OUTBOX.c.problem == LINE_ITEM_GONE)
+    forgets = link.id == link_id, link.line_items.is_not(None), is_gone
     with store.writing() as connection:
+        connection.execute(sa.update(records.link).where(*forgets).values(line_item=None))
         values = {"dead": False, "due": now, "tries": 0}
         return connection.execute(sa.update(_OUTBOX).where(wanted).values(values)).rowcount
 

@@ -3,6 +3,7 @@
 LaunchError       a launch that is not believed (401)
 LoginError        a login, or a form, that lacks what it needs (400)
 PlatformError     a platform did not answer as its specification says
+TokenError        a platform gives this tool no access to a service
 """
 
 from kinematics.errors import Fault, ParamValue
@@ -28,6 +29,10 @@ class PlatformError(RequestError):
     def __init__(self, fault: Fault, *, status: int | None = None, retry_after: float | None = None) -> None:
         super().__init__(fault)
         self.status, self.retry_after = status, retry_after
+
+
+class TokenError(PlatformError):
+    """A platform gives this tool no access to a service."""
 
 
 def missing_claim(name: str) -> LaunchError:

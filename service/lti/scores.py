@@ -10,7 +10,7 @@ from urllib.parse import urlencode, urlsplit, urlunsplit
 from courses.model import Platform
 from service.lti import claims as names
 from service.lti.fetching import FetchedAnswer
-from service.lti.launch_errors import PlatformError, unreachable
+from service.lti.launch_errors import PlatformError, TokenError, unreachable
 from service.lti.services import Services
 
 PAGES = 20  # Pages that are followed, so that a platform cannot lead round in circles.
@@ -20,6 +20,9 @@ the way."""
 LONGEST_LABEL = 100
 """Characters of a column's title that every gradebook keeps; Open edX refuses longer ones."""
 _NONE = 404  # Answer of platforms that have no line item yet.
+_GONE = (404, 410)  # Answers of platforms that have a line item no more.
+TOKEN_REFUSED = "token_refused"  # noqa: S105
+"""Stable code of a score for which the platform gives no access token: it concerns no single score."""
 _UNLINKED = (400, 404, 412, 422)  # Answers of platforms whose links take no line item of ours.
 
 
@@ -62,11 +65,23 @@ class ScoreMessage:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class DeliveryReport:
-    """What became of a score, with the platform's status and how long it asks to be left alone [s]."""
+    """What became of a score, with the platform's status and how long it asks to be left alone [s].
+
+    `problem` is the stable code of what went wrong, where the status does not say it.
+    """
 
     delivery: Delivery
     status: int | None = None
     retry_after: float | None = None
+    problem: str | None = None
+
+
+def put_off(error: PlatformError) -> DeliveryReport:
+    """Return the report of a score that the platform could not be asked to take."""
+    problem = TOKEN_REFUSED if isinstance(error, TokenError) else None
+    return DeliveryReport(
+        delivery=Delivery.LATER, status=error.status, retry_after=error.retry_after, problem=problem
+    )
 
 
 def post_score(
@@ -87,8 +102,19 @@ def post_score(
             content_type=names.SCORE,
         )
     except PlatformError as error:
-        return DeliveryReport(delivery=Delivery.LATER, status=error.status, retry_after=error.retry_after)
+        return put_off(error)
     return DeliveryReport(delivery=_delivery(answer), status=answer.status, retry_after=answer.retry_after)
+
+
+def is_gone(services: Services, platform: Platform, line_item: str, report: DeliveryReport) -> bool:
+    """Return whether a score was refused because its line item is gone: 404 may also mean its user."""
+    if report.status not in _GONE:
+        return False
+    try:
+        answer = services.call(platform, names.LINE_ITEM_SCOPE, "GET", line_item, accept=names.LINE_ITEM)
+    except PlatformError:
+        return False
+    return answer.status in _GONE
 
 
 def _delivery(answer: FetchedAnswer) -> Delivery:

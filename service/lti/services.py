@@ -12,12 +12,13 @@ from courses.model import Platform
 from courses.people.platforms import StoredKey
 from courses.people.secrets import new_token
 from service.lti.fetching import FetchedAnswer, Fetcher
-from service.lti.launch_errors import unreachable
+from service.lti.launch_errors import PlatformError, TokenError, unreachable
 from service.lti.signing_keys import signed
 
 ASSERTION_LIFE = 60  # Seconds for which the assertion that asks for a token is valid: it is used at once.
 RENEWED_BEFORE = 60.0  # A token is used until so long before its end [s].
 _UNAUTHORIZED = 401
+_TRANSIENT = (408, 425, 429)  # Refusals that say nothing of who asks.
 _ASSERTION = "urn:ietf:params:oauth:client-assertion-type:jwt-bearer"
 
 
@@ -95,8 +96,17 @@ class Services:
             headers={"Content-Type": "application/x-www-form-urlencoded"},
             content=urlencode(form).encode(),
         )
-        found = answer.succeeded().json()
+        found = _given(answer).json()
         if not isinstance(found, Mapping) or not isinstance(found.get("access_token"), str):
             raise unreachable(platform.token_endpoint, "access_token")
         life = found.get("expires_in")
         return found["access_token"], float(life) if isinstance(life, (int, float)) else 3600.0
+
+
+def _given(answer: FetchedAnswer) -> FetchedAnswer:
+    try:
+        return answer.succeeded()
+    except PlatformError as error:
+        if answer.status // 100 != 4 or answer.status in _TRANSIENT:
+            raise
+        raise TokenError(*error.faults, status=answer.status) from None

@@ -11,6 +11,7 @@ import threading
 import time
 from collections import defaultdict
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from datetime import datetime, timedelta
 from typing import TypeAlias
 from urllib.parse import urlsplit
@@ -18,6 +19,7 @@ from urllib.parse import urlsplit
 from sqlalchemy.exc import SQLAlchemyError
 
 from courses.grades.outbox import (
+    LINE_ITEM_GONE,
     bumped,
     delivered,
     hasten,
@@ -31,7 +33,16 @@ from courses.people.platforms import platform_by_id
 from courses.refusals import StorageUnavailableError
 from service.course_resources import CourseResources, now
 from service.lti.launch_errors import PlatformError, unreachable
-from service.lti.scores import Delivery, DeliveryReport, ScoreMessage, has_result, line_item_for, post_score
+from service.lti.scores import (
+    Delivery,
+    DeliveryReport,
+    ScoreMessage,
+    has_result,
+    is_gone,
+    line_item_for,
+    post_score,
+    put_off,
+)
 from service.work.threads import BackgroundThread
 
 PAUSE = 1.0  # Time between two looks at the outbox [s].
@@ -45,7 +56,8 @@ STALE_TRIES = 6  # Tries after which a score that the platform calls outdated is
 PATIENCE = 3.0
 SILENCE = 15.0
 """A gradebook that took no score, and longer than the patience to say so, is left alone for so long [s]: else
-thousands of scores that wait for it each take the time of a time-out from other platforms."""
+thousands of scores that wait for it each take the time of a time-out from other platforms. One that asks for
+a pause has it from all of its scores."""
 
 _log = logging.getLogger("framewise.scores")
 
@@ -108,8 +120,11 @@ class ScoreSender(BackgroundThread):
             return DeliveryReport(delivery=Delivery.LATER, retry_after=silence)
         began = time.monotonic()
         report = self._sent(item)
-        if report.delivery is Delivery.LATER and time.monotonic() - began >= PATIENCE:
-            self._silent[_gradebook(item)] = time.monotonic() + SILENCE
+        if report.delivery is Delivery.LATER:
+            ended = time.monotonic()
+            alone = SILENCE if ended - began >= PATIENCE else 0.0
+            alone = max(alone, min(report.retry_after or 0.0, LONGEST_WAIT))
+            self._silent[_gradebook(item)] = max(ended + alone, self._silent.get(_gradebook(item), 0.0))
         return report
 
     def _silence(self, item: ScoreToSend) -> float:
@@ -121,9 +136,13 @@ class ScoreSender(BackgroundThread):
         try:
             line_item = item.line_item or self._found_line_item(platform, item)
         except PlatformError as error:
-            return DeliveryReport(delivery=Delivery.LATER, status=error.status, retry_after=error.retry_after)
+            return put_off(error)
         report = post_score(self._resources.services, platform, line_item, _message(item))
-        return self._stale(platform, line_item, item) if report.delivery is Delivery.STALE else report
+        if report.delivery is Delivery.STALE:
+            return self._stale(platform, line_item, item)
+        if item.line_items and is_gone(self._resources.services, platform, line_item, report):
+            return replace(report, problem=LINE_ITEM_GONE)
+        return report
 
     def _found_line_item(self, platform: Platform, item: ScoreToSend) -> str:
         with self._finding[platform.id]:  # two who find none would both make one
@@ -186,4 +205,4 @@ def _message(item: ScoreToSend) -> ScoreMessage:
 
 def _problem(report: DeliveryReport) -> str:
     """The stable code of what went wrong, with the platform's status."""
-    return f"http_{report.status}" if report.status else "no_answer"
+    return report.problem or (f"http_{report.status}" if report.status else "no_answer")

@@ -154,6 +154,24 @@ def test_what_cannot_be_delivered_waits_for_the_lecturer(store: Store) -> None:
     assert len(lease_scores(store, NOW)) == 1
 
 
+@pytest.mark.parametrize(
+    ("problem", "lists", "is_looked_for"),
+    [("line_item_gone", True, True), ("line_item_gone", False, False), ("http_403", True, False)],
+)
+def test_a_column_that_is_gone_is_looked_for_again_when_a_score_is_sent_again(
+    store: Store, problem: str, lists: bool, is_looked_for: bool
+) -> None:
+    """Scores went to the column that had been deleted, however often they were sent again."""
+    columns = "https://lms.example.edu/items" if lists else None
+    session = joined(store, line_items=columns)
+    submitted(store, session, 0.2)
+    (sent,) = lease_scores(store, NOW)
+    undeliverable(store, sent, problem)
+    resend(store, session.link.id, NOW)
+    (again,) = lease_scores(store, NOW)
+    assert (again.line_item is None, again.line_items) == (is_looked_for, columns)
+
+
 def test_scores_are_held_until_the_release(store: Store) -> None:
     session = joined(store)
     policy = AttemptPolicy(feedback=FeedbackTiming.ON_RELEASE)

@@ -3,6 +3,7 @@
 import random
 import threading
 import time
+from dataclasses import replace
 from datetime import datetime, timedelta
 from functools import partial
 from types import SimpleNamespace
@@ -194,6 +195,75 @@ def test_a_silent_gradebook_holds_up_no_other(
     assert [address for address in asked if address in hosts] == hosts
     sender.stop()
     resources.close()
+
+
+def test_a_gradebook_that_asks_to_be_left_alone_is_asked_by_no_other_score(
+    resources: CourseResources, store: Store, lms: Lms, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Only the score that was told to wait did so; those of the rest of the class went on asking."""
+    platform = enrolled(store, lms, "ann").person.platform_id
+    hosts = [f"https://{name}.example.edu/items" for name in ("full", "other")]
+    asked: list[str] = []
+
+    def full(_: Services, __: Any, address: str, *___: Any) -> DeliveryReport:
+        asked.append(address)
+        return DeliveryReport(delivery=Delivery.LATER, status=429, retry_after=600.0)
+
+    monkeypatch.setattr(score_sender, "post_score", full)
+    sender = ScoreSender(resources)
+    for host in hosts:
+        for person in range(SIMULTANEOUS):
+            sender.send(to_send(person, platform, host, known=True))
+    assert asked == hosts
+    sender.stop()
+    resources.close()
+
+
+@pytest.mark.parametrize(
+    ("column", "problem"), [(404, "line_item_gone"), (200, "http_404"), (403, "http_404")]
+)
+def test_a_column_that_was_deleted_is_told_apart_from_a_student_who_has_left(
+    resources: CourseResources,
+    store: Store,
+    lms: Lms,
+    monkeypatch: pytest.MonkeyPatch,
+    column: int,
+    problem: str,
+) -> None:
+    """A platform may answer 404 for either, and only the first is mended by another column."""
+    platform = enrolled(store, lms, "ann").person.platform_id
+    told: list[str] = []
+
+    def call(_: Any, __: str, method: str, address: str, **___: Any) -> FetchedAnswer:
+        status = 404 if method == "POST" else column
+        return FetchedAnswer(address=address, status=status, headers={}, body=b"{}")
+
+    monkeypatch.setattr(resources.services, "call", call)
+    monkeypatch.setattr(score_sender, "undeliverable", lambda *given: told.append(given[-1]))
+    item = to_send(1, platform, "https://lms.example.edu/items", known=True)
+    sender = ScoreSender(resources)
+    for line_items in (item.line_items, None):  # where the platform lists none, none can be made
+        sender.send(replace(item, line_items=line_items))
+    assert told == [problem, "http_404"]
+    sender.stop()
+    resources.close()
+
+
+@pytest.mark.parametrize(
+    ("status", "told"), [(400, "token_refused"), (401, "token_refused"), (429, None), (503, None)]
+)
+def test_a_tool_that_gets_no_token_is_told_apart_from_a_score_that_is_refused(
+    monkeypatch: pytest.MonkeyPatch, status: int, told: str | None
+) -> None:
+    """Moodle answers 400 to an unknown tool: lecturers were told that the student may have left."""
+    answer = FetchedAnswer(address="https://lms.example/token", status=status, headers={}, body=b"{}")
+    monkeypatch.setattr("service.lti.services.signed", lambda *_: "assertion")
+    fetcher: Any = SimpleNamespace(send=lambda *_, **__: answer)
+    key: Any = lambda: None  # noqa: E731
+    message = ScoreMessage(user="ann", timestamp=now(), given=5.0, maximum=10.0)
+    platform: Any = SimpleNamespace(id=1, client_id="c", token_audience=None, token_endpoint=answer.address)
+    report = post_score(Services(fetcher, key), platform, "https://lms.example/item", message)
+    assert (report.delivery, report.status, report.problem) == (Delivery.LATER, status, told)
 
 
 @pytest.mark.parametrize(

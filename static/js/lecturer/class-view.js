@@ -89,7 +89,7 @@ export function showUndelivered(card, place, lost, resend) {
         percentOf(entry.score),
         el("span", {
           dataset: { code: entry.problem },
-          text: `${t(`lecturer-problem-${adviceFor(entry.problem)}`)} (${entry.problem})`,
+          text: `${t(`lecturer-problem-${adviceFor(entry)}`)} (${entry.problem})`,
         }),
         entry.dead
           ? el("button", {
@@ -104,10 +104,11 @@ export function showUndelivered(card, place, lost, resend) {
   );
 }
 
-/** Which advice fits a stable code. @param {string} problem */
-function adviceFor(problem) {
+/** Which advice fits a stable code. @param {{ problem: string, dead: boolean }} entry */
+function adviceFor({ problem, dead }) {
+  if (problem === "line_item_gone") return "column";
   if (problem === "http_404") return "gone";
-  if (problem === "http_403" || problem === "http_401") return "forbidden";
-  if (problem === "http_400" || problem === "http_409" || problem === "http_422") return "refused";
-  return "busy";
+  if (["http_401", "http_403", "token_refused"].includes(problem)) return "forbidden";
+  if (/^http_4(?!08|25|29)/.test(problem)) return "refused";
+  return dead ? "silent" : "busy";
 }
