@@ -9,7 +9,7 @@ import sqlalchemy as sa
 
 from courses.links.link_settings import stored, written
 from courses.model import CourseSession, Platform, Role
-from courses.people.secrets import hashed, new_token, pseudonym
+from courses.people.secrets import hashed, new_token, preview_key, pseudonym
 from courses.people.sessions import SESSION
 from courses.storage import records
 from courses.storage.database import Store
@@ -80,7 +80,7 @@ def preview(store: Store, session: CourseSession, link_id: int, now: datetime) -
     What is handed in by it is stored like a student's, by the same rules, and stands in no number: the person
     of a preview belongs to the staff. Nothing goes to the gradebook.
     """
-    key = hashed(f"preview {session.person.key}")[:32]
+    key = preview_key(session.person.key)
     own = {"platform_id": session.person.platform_id, "subject": None, "created": now}
     token = new_token()
     with store.writing() as connection:

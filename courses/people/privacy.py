@@ -1,10 +1,12 @@
 """What people may ask for by law: all about one person, and its erasure; and data that ends with time."""
 
+from collections.abc import Collection
 from datetime import datetime, timedelta
 from typing import Any
 
 import sqlalchemy as sa
 
+from courses.people.secrets import preview_key
 from courses.refusals import unknown_record
 from courses.storage import records
 from courses.storage.database import Store
@@ -63,13 +65,14 @@ def export_person(store: Store, key: str, course_id: int | None = None) -> dict[
     with store.reading() as connection:
         person = _person(connection, key, course_id)
         found: dict[str, Any] = {"person": _plain(person)}
+        people = _people(connection, person.id, key)
         for table in _OF_A_PERSON:
-            rows = connection.execute(sa.select(table).where(*_of(table, person.id, course_id)))
+            rows = connection.execute(sa.select(table).where(*_of(table, people, course_id)))
             found[str(table.name)] = [_plain(row, hidden=("token_hash", "lease")) for row in rows]
         attempt = records.attempt
         for table in _OF_AN_ATTEMPT:
             of_attempts = sa.select(table).join(attempt, attempt.c.id == table.c.attempt_id)
-            rows = connection.execute(of_attempts.where(*_of(attempt, person.id, course_id)))
+            rows = connection.execute(of_attempts.where(*_of(attempt, people, course_id)))
             found[str(table.name)] = [_plain(row) for row in rows]
         lines = connection.execute(sa.select(records.access).where(*_lines_about(key, course_id)))
         found["access"] = [_plain(row) for row in lines]
@@ -103,22 +106,29 @@ def _person(connection: sa.Connection, key: str, course_id: int | None) -> sa.Ro
     return person
 
 
+def _people(connection: sa.Connection, person_id: int, key: str) -> list[int]:
+    """Return a person's id, and that of whom they are in previews, if they are staff and have made one."""
+    in_previews = sa.select(records.person.c.id).where(records.person.c.key == preview_key(key))
+    return [person_id, *connection.scalars(in_previews)]
+
+
 def _erase(connection: sa.Connection, person_id: int, key: str, course_id: int | None) -> dict[str, int]:
     """Remove the rows of a person; their participations first, for which those wait who hand in."""
+    people = _people(connection, person_id, key)
     statements = {
-        str(table.name): sa.delete(table).where(*_of(table, person_id, course_id)) for table in _OF_A_PERSON
+        str(table.name): sa.delete(table).where(*_of(table, people, course_id)) for table in _OF_A_PERSON
     }
     statements["access"] = sa.delete(records.access).where(*_lines_about(key, course_id))
     counts = {name: connection.execute(statement).rowcount for name, statement in statements.items()}
-    of_theirs = [sa.exists().where(table.c.person_id == person_id) for table in _OF_A_PERSON]
-    nothing_left = records.person.c.id == person_id, sa.not_(sa.or_(*of_theirs))
+    of_theirs = [sa.exists().where(table.c.person_id == records.person.c.id) for table in _OF_A_PERSON]
+    nothing_left = records.person.c.id.in_(people), sa.not_(sa.or_(*of_theirs))
     connection.execute(sa.delete(records.person).where(*nothing_left))
     return counts
 
 
-def _of(table: sa.Table, person_id: int, course_id: int | None) -> list[sa.ColumnElement[bool]]:
-    """Conditions on the rows of a relation that belong to a person, in one course or in all."""
-    return [table.c.person_id == person_id, *_in_course(table, course_id)]
+def _of(table: sa.Table, people: Collection[int], course_id: int | None) -> list[sa.ColumnElement[bool]]:
+    """Conditions on the rows of a relation that belong to people, in one course or in all."""
+    return [table.c.person_id.in_(people), *_in_course(table, course_id)]
 
 
 def _lines_about(key: str, course_id: int | None) -> list[sa.ColumnElement[bool]]:

@@ -38,6 +38,11 @@ def pseudonym(store: Store, issuer: str, client_id: str, subject: str) -> str:
     return hmac.new(_secret(store, "pseudonyms"), text, hashlib.sha256).hexdigest()[:32]
 
 
+def preview_key(key: str) -> str:
+    """Return the key of whom a member of the staff, of this key, is in previews."""
+    return hashed(f"preview {key}")[:32]
+
+
 @lru_cache(maxsize=16)
 def _secret(store: Store, name: str) -> bytes:
     """An installation's secret of a name, made at its first use; every replica sees the same one."""

@@ -9,7 +9,7 @@ from service.lti import claims as names
 from service.lti.launch_errors import unreachable
 from service.lti.services import Services
 
-PAGES = 200  # Pages that are followed, so that a platform cannot lead round in circles.
+PAGES = 200  # Pages that are followed, each once.
 LONGEST = 30.0
 """Seconds for all pages together: a lecturer waits for them, and a thread of everybody's courses."""
 
@@ -31,10 +31,10 @@ def members(services: Services, platform: Platform, address: str) -> list[Member
     """
     found: list[Member] = []
     page: str | None = address
+    read: set[str] = set()
     end = time.monotonic() + LONGEST
-    for _ in range(PAGES):
-        if page is None:
-            break
+    while page is not None and page not in read and len(read) < PAGES:
+        read.add(page)
         if time.monotonic() > end:
             raise unreachable(page, f"> {LONGEST:g} s")
         answer = services.call(platform, names.MEMBERSHIP_SCOPE, "GET", page, accept=names.MEMBERSHIPS)

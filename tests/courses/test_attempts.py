@@ -15,6 +15,7 @@ from courses.attempts.stored_attempts import LISTED, attempt_numbered, keep_draf
 from courses.grades.outbox import delivered, hasten, lease_scores, postponed, resend, undeliverable
 from courses.model import CourseSession, LinkSettings, Role
 from courses.people import privacy
+from courses.people.enrolment import preview
 from courses.people.privacy import erase_person, export_person, person_named, purge
 from courses.people.secrets import issue_code, pseudonym, redeem_code, remember_nonce
 from courses.people.sessions import SESSION, end_session, session_of
@@ -529,6 +530,19 @@ def test_a_person_is_exported_and_erased(store: Store) -> None:
     with pytest.raises(UnknownRecordError):
         export_person(store, ann.person.key)
     assert export_person(store, bob.person.key)["attempt"]
+
+
+@pytest.mark.parametrize("in_one_course", [True, False])
+def test_what_staff_has_tried_out_is_theirs(store: Store, in_one_course: bool) -> None:
+    """What a teacher had handed in in a preview was in no export, and outlived the teacher's erasure."""
+    tina = joined(store, "tina", role=Role.STAFF)
+    course = tina.course.id if in_one_course else None
+    tried = session_of(store, preview(store, tina, tina.link.id, NOW), NOW)
+    submitted(store, tried, 0.5)
+    assert len(export_person(store, tina.person.key, course)["attempt"]) == 1
+    assert erase_person(store, tina.person.key, course)["attempt"] == 1
+    with store.reading() as connection:
+        assert connection.execute(sa.select(records.person)).all() == []
 
 
 def test_a_grade_that_no_attempt_makes_any_more_is_no_grade(store: Store) -> None:

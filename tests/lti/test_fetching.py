@@ -5,6 +5,8 @@ import socket
 import threading
 import time
 from collections.abc import Iterator, Mapping
+from types import SimpleNamespace
+from typing import Any
 
 import httpx
 import pytest
@@ -12,6 +14,7 @@ import pytest
 from service.lti import fetching
 from service.lti.fetching import FetchedAnswer, Fetcher
 from service.lti.launch_errors import PlatformError
+from service.lti.memberships import members
 from tests.lti.key_server import KeyServer
 
 NAMES: Mapping[str, list[str]] = {
@@ -148,3 +151,19 @@ def test_how_long_a_platform_asks_to_be_left_alone(text: str, seconds: float | N
 )  # fmt: skip
 def test_the_next_page_is_one_of_the_same_origin(link: str, page: str | None) -> None:
     assert answered(link=link).next_page() == page
+
+
+def test_a_class_list_that_leads_round_in_a_circle_is_read_once() -> None:
+    """Some platforms name the last page as its own next one: it was fetched two hundred times."""
+    asked: list[str] = []
+
+    def call(_: Any, __: Any, ___: str, address: str, **____: Any) -> FetchedAnswer:
+        asked.append(address)
+        found = answered(link='<?page=2>; rel="next"')
+        body = b'{"members": [{"user_id": "%d", "roles": ["Learner"]}]}' % len(asked)
+        return FetchedAnswer(address=address, status=200, headers=found.headers, body=body)
+
+    services: Any = SimpleNamespace(call=call)
+    platform: Any = None
+    listed = members(services, platform, "https://lms.example/items?page=1")
+    assert [member.user for member in listed] == ["1", "2"]
