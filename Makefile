@@ -164,7 +164,7 @@ campaign-inverse: $(VENV)/.dev ## inverse kinematics at singularities against br
 students: $(VENV)/.dev ## simulated students in every exercise: do hints lead to full marks (a few minutes; ARGS="--only scara": some)
 	$(PY) -m tests.exercises.students $(ARGS)
 
-kill-campaign: $(VENV)/.dev ## kill -9 the service 100 times under load, on SQLite and PostgreSQL, and its worker processes (KILLS=100)
+kill-campaign: $(VENV)/.dev ## kill -9 the service 100 times under load and once in a regrading, on SQLite and PostgreSQL, and its worker processes (KILLS=100)
 	KILLS=$(or $(KILLS),100) $(PY) -m pytest tests/lti/test_killed.py tests/lti/test_regrading_killed.py tests/service/test_workers.py -k kill --timeout 7200
 
 .PHONY: image
