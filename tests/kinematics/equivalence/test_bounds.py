@@ -101,3 +101,11 @@ def test_one_axis_beside_its_place_or_aslant_is_all_of_the_bound(joint: int) -> 
     assert bound.angle == pytest.approx(0.02)
     assert worst.angle == pytest.approx(0.02, rel=1e-3)
     assert worst.length <= bound.length + 1e-12
+
+
+def test_both_sides_have_as_many_joints() -> None:
+    reference, chain = prepared(PUMA), chain_of_table(PUMA)
+    with pytest.raises(ValueError, match="shorter"):
+        upper_bound(reference, chain, CertificateCandidate((1,) * 6, (0.0,) * 5, IDENTITY, IDENTITY))
+    with pytest.raises(ValueError, match="shorter"):
+        surely_apart(reference, replace(chain, axes=chain.axes[:5]), Tolerance())
