@@ -89,6 +89,7 @@ Told = list[tuple[Kind, int | None, int | None, float, float]]
         (PUMA, FREE, {(3, "d"): 0.3}, [(Kind.OFFSET, 3, 2, 0.0, 0.14995)]),
         (PUMA, FREE, {(2, "alpha"): 0.1}, [(Kind.TWIST, 3, 1, 0.1, 0.0)]),
         (PUMA, AXIS, {(6, "alpha"): 0.1}, [(Kind.TOOL, 6, 5, 0.1, 0.0), (Kind.TWIST, 7, 5, 0.09983, 0.0)]),
+        (PUMA, POINT, {(6, "a"): 0.1}, [(Kind.TOOL, 6, 5, 0.0, 0.1), (Kind.LENGTH, 7, 5, 0.0, 0.1)]),
         (PUMA, FREE, {(2, "joint"): P}, [(Kind.JOINT_TYPE, 2, 1, 0.0, 0.0)]),
         (PUMA, FREE, {}, [(Kind.PRECISION, None, None, 0.0, 0.0)]),
     ],
