@@ -17,22 +17,29 @@ from exercises.parts.registry import part_types
 from service.cli.commands import main
 from service.schemas.exercises.exercises import ExerciseAnswer
 from tests.exercises.answering import judged
+from tests.exercises.folders import folder
 
 PAGE = (Path(__file__).parents[2] / "docs" / "authoring.md").read_text(encoding="utf-8")
 BLOCKS = re.findall(r"^```(\w+)(?: (\w+)=(\S+))?\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
 
 
 DOCS = Path(__file__).parents[2] / "docs"
-PAGES = (
-    *("dynamics.md", "find-the-mistake.md", "jacobian-answers.md", "joint-answers.md"),
-    *("rotations.md", "screws.md", "singularities.md"),
-)
-"""Pages of kinds with definitions of their own."""
-ALONE = [
-    tomllib.loads(block)
-    for page in PAGES
+PAGES = {
+    "dynamics.md": "twolink",
+    "find-the-mistake.md": "puma560",
+    "jacobian-answers.md": "scorbot",
+    "joint-answers.md": "puma560",
+    "rotations.md": "stanford",
+    "screws.md": "scara",
+    "singularities.md": "stanford",
+}
+"""Pages of kinds with definitions of their own, each with a robot that they suit."""
+DEFINITIONS = [
+    (robot, block)
+    for page, robot in PAGES.items()
     for block in re.findall(r"^```toml\n(.*?)^```$", (DOCS / page).read_text("utf-8"), re.M | re.S)
 ]
+ALONE = [tomllib.loads(block) for _, block in DEFINITIONS]
 BEYOND = {"frames", *(part["kind"] for found in ALONE for part in found["parts"])}
 """Kinds of part with a section or a page of their own: the crane asks for all others."""
 
@@ -52,6 +59,14 @@ def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         (tmp_path / "crane" / f"statement.{language}.md").write_text(statement, encoding="utf-8")
     monkeypatch.chdir(tmp_path)
     return tmp_path
+
+
+@pytest.mark.parametrize(("robot", "block"), DEFINITIONS)
+def test_every_definition_of_a_page_loads(robot: str, block: str, tmp_path: Path) -> None:
+    titles = "".join(f'{language} = "Doc"\n' for language in LANGUAGES)
+    text = f'version = 1\nrobot = "{robot}"\n[title]\n{titles}{block}'
+    loaded = load_exercise(folder(tmp_path, text, statement="An arm."))
+    assert [found.kind for found in loaded.parts] == [part["kind"] for part in tomllib.loads(block)["parts"]]
 
 
 def test_every_command_runs(desk: Path, capsys: pytest.CaptureFixture[str]) -> None:
