@@ -247,7 +247,10 @@ def revision_in(connection: sa.Connection) -> str:
 def _alone(store: Store) -> Iterator[None]:
     """One program at a time migrates: a file lock beside SQLite, an advisory lock on PostgreSQL."""
     if store.file is not None:
-        with store.file.with_suffix(".lock").open("w") as lock:
+        file = store.file.with_suffix(".lock")
+        file.touch()
+        file.chmod(0o600)  # whoever could read it could lock it, and keep the service from starting
+        with file.open("w") as lock:
             fcntl.flock(lock, fcntl.LOCK_EX)
             yield
         return

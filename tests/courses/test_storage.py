@@ -94,6 +94,13 @@ def test_sqlite_writes_ahead_and_flushes(tmp_path: Path) -> None:
     store.close()
 
 
+def test_nobody_else_opens_what_is_stored(tmp_path: Path) -> None:
+    """Any account of the machine could lock the file by which migrations wait for each other."""
+    (tmp_path / "framewise.lock").touch(0o644)
+    open_store("", tmp_path).close()
+    assert {file.name for file in tmp_path.iterdir() if file.stat().st_mode & 0o077} == set()
+
+
 def test_where_the_data_is_is_told_without_a_password() -> None:
     """The log said it at each start."""
     for address in ("postgresql://ada:lovelace@host/d", "postgresql://host/d?user=ada&password=lovelace"):
