@@ -2,6 +2,7 @@
 
 import { announce, el } from "../dom.js";
 import { dates, language, t } from "../i18n.js";
+import { instant, local } from "./local-time.js";
 
 /** @type {Record<string, string[]>} */
 const CHOICES = {
@@ -10,14 +11,6 @@ const CHOICES = {
   mode: ["practice", "exam"],
   help: ["", "verdict", "row", "kind", "repair"],
 };
-
-/** A time as the service writes it, as the browser's field takes it. @param {string | null} text */
-function local(text) {
-  if (!text) return "";
-  const time = new Date(text);
-  const written = new Date(time.getTime() - time.getTimezoneOffset() * 60000).toISOString();
-  return written.slice(0, time.getSeconds() ? 19 : 16);
-}
 
 /** The browser's time zone in the reader's language; its identifier is English, and may name a city as it was once spelled. */
 function timeZone() {
@@ -115,7 +108,7 @@ export function settingsForm(exercises, settings, save, action) {
         class: "lecturer-form",
         onsubmit: (event) => {
           event.preventDefault();
-          save({ ...settingsOf(form), language: settings.language ?? null });
+          save({ ...settingsOf(form, settings), language: settings.language ?? null });
         },
       },
       field("exercise", exercise),
@@ -144,13 +137,13 @@ export function settingsForm(exercises, settings, save, action) {
   return form;
 }
 
-/** @param {HTMLFormElement} form */
-function settingsOf(form) {
+/** @param {HTMLFormElement} form @param {any} before */
+function settingsOf(form, before) {
   const data = new FormData(form);
   /** @param {string} name */
   const number = (name) => (data.get(name) === "" ? null : Number(data.get(name)));
   /** @param {string} name */
-  const time = (name) => (data.get(name) ? new Date(String(data.get(name))).toISOString() : null);
+  const time = (name) => instant(String(data.get(name) ?? ""), before[name]);
   const boxes = /** @type {HTMLInputElement[]} */ ([...form.querySelectorAll("input[name=parts]")]);
   const chosen = boxes.filter(({ checked }) => checked).map(({ value }) => value);
   return {
