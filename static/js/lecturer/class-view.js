@@ -4,6 +4,7 @@ import { dataTable } from "../data-table.js";
 import { el, fill } from "../dom.js";
 import { named, ownDirection, t } from "../i18n.js";
 import { percentOf } from "../numbers.js";
+import { adviceFor } from "./score-advice.js";
 
 /** @type {Record<string, string>} */
 const TONES = { solved: "good", stuck: "bad", begun: "warn", opened: "", absent: "" };
@@ -102,13 +103,4 @@ export function showUndelivered(card, place, lost, resend) {
       ]),
     ),
   );
-}
-
-/** Which advice fits a stable code. @param {{ problem: string, dead: boolean }} entry */
-function adviceFor({ problem, dead }) {
-  if (problem === "line_item_gone") return "column";
-  if (problem === "http_404") return "gone";
-  if (["http_401", "http_403", "token_refused"].includes(problem)) return "forbidden";
-  if (/^http_4(?!08|25|29)/.test(problem)) return "refused";
-  return dead ? "silent" : "busy";
 }
