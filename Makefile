@@ -68,7 +68,8 @@ lint-web: $(VENV)/.dev vendor
 	$(PY) tools/lint_web.py
 
 accessibility: $(VENV)/.dev vendor ## axe-core on every page at every width in all colours, and every page in all languages (some minutes)
-	EVERYTHING=1 $(PY) -m pytest -n 0 tests/web/test_accessibility.py tests/web/test_answer_forms.py tests/web/test_author.py tests/web/test_environments.py
+	EVERYTHING=1 $(PY) -m pytest -n 0 tests/web/test_accessibility.py tests/web/test_answer_forms.py tests/web/test_author.py \
+	    tests/web/test_environments.py tests/web/test_lesson.py
 
 lock: $(VENV)/.dev ## renew the hash locks from pyproject.toml
 	for lock in "requirements.lock" "requirements-telemetry.lock --extra telemetry --constraint requirements.lock" \

@@ -68,14 +68,15 @@ class Axe:
         off = {} if light_colours or EVERYTHING else {rule: {"enabled": False} for rule in _OF_COLOURS}
         forced = page.evaluate("matchMedia('(forced-colors: active)').matches")
         of_colours = {"type": "rule", "values": _OF_COLOURS}
-        assert self._findings(page, of_colours if forced and not EVERYTHING else _RULES, off) == []
+        self._assert_nothing(page, of_colours if forced and not EVERYTHING else _RULES, off)
         if forced:
             return
         if not dark_colours and not EVERYTHING:
             return
         page.emulate_media(color_scheme="dark")
-        assert self._findings(page, _RULES if EVERYTHING else of_colours, {}) == []
+        self._assert_nothing(page, _RULES if EVERYTHING else of_colours, {})
         page.emulate_media(color_scheme="light")
 
-    def _findings(self, page: Page, rules: Any, switched: dict[str, Any]) -> list[str]:
-        return page.evaluate(_FINDINGS, [rules, switched])  # type: ignore[no-any-return]
+    def _assert_nothing(self, page: Page, rules: Any, switched: dict[str, Any]) -> None:
+        found = page.evaluate(_FINDINGS, [rules, switched])
+        assert found == [], found

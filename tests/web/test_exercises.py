@@ -30,7 +30,7 @@ def fill_everything(page: Page, answer: dict[str, Any]) -> None:
     part.get_by_label("Outer radius").fill(f"{outer:.5f}")
 
 
-@pytest.mark.parametrize("exercise", ANSWERS if EXPLORE else ["puma560", "scara"])
+@pytest.mark.parametrize("exercise", ANSWERS if EXPLORE else ["scara"])
 def test_from_an_empty_form_to_full_marks(open_page: OpenPage, exercise: str) -> None:
     page = open_page(f"/exercises/{exercise}", webgl=exercise == "scara")
     fill_everything(page, ANSWERS[exercise])

@@ -10,6 +10,7 @@ from playwright.sync_api import Locator, Page, Request, Response, expect
 
 from tests.web.conftest import WITHOUT_FRAGMENT, OpenPage, Watch, wait_ready
 from tests.web.driving import Held, put_table, rows
+from tests.web.test_accessibility import assert_accessible_at_any_width
 
 STANFORD_ALPHAS = ["0", "-90", "90", "0", "-90", "90"]
 
@@ -409,7 +410,9 @@ def test_what_was_typed_is_there_after_reload(open_page: OpenPage) -> None:
 
 
 def test_accessible_with_everything_open(
-    open_page: OpenPage, assert_accessible_at_both_sizes: Callable[[Page], None]
+    open_page: OpenPage,
+    assert_accessible: Callable[[Page], None],
+    assert_accessible_at_both_sizes: Callable[[Page], None],
 ) -> None:
     page = open_page("/playground")
     shown_robot(page)
@@ -419,6 +422,7 @@ def test_accessible_with_everything_open(
         expect(page.get_by_role("img", name=plot)).to_be_visible()
     expect(page.locator(".more-tools details").first).to_be_visible()
     assert_accessible_at_both_sizes(page)
+    assert_accessible_at_any_width(page, assert_accessible, {1280: ("active",)})
 
 
 def test_an_answer_that_was_overtaken_is_not_shown(open_page: OpenPage) -> None:
