@@ -18,6 +18,7 @@ from exercises.grading import HelpLevel, Verdict
 from exercises.grading.score import weight_to_earn
 from exercises.instance import Instance, generate
 from exercises.needs import rules_that_need, unneeded_dimensions
+from exercises.parts.cells.short_forms import is_short_form
 from exercises.parts.protocol import TABLE
 from exercises.parts.registry import part_type
 from exercises.parts.report import Credit
@@ -86,6 +87,9 @@ def check_values(
         for part in exercise.parts:
             for code in part_type(part.kind).warnings(part, exercise):
                 findings.warn(code, kind=part.kind)
+        if any(part.kind != TABLE for part in exercise.parts):
+            for name in filter(is_short_form, (*exercise.reference.parameters, *exercise.aliases)):
+                findings.warn("taken_by_short_form", name=name)
         if with_table:
             _check_invalid(findings, exercise)
             _check_samples(findings, exercise)

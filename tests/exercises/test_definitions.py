@@ -150,6 +150,21 @@ def test_a_dimension_named_as_a_slide_is_told_to_the_author(height: str, told: b
 
 
 @pytest.mark.parametrize(
+    ("height", "part", "told"),
+    [("c1", "link_matrices", True), ("cs1", "link_matrices", False), ("s23", None, False)],
+)
+def test_a_dimension_named_as_a_cosine_is_told_to_the_author(
+    height: str, part: str | None, told: bool, tmp_path: Path
+) -> None:
+    """In a matrix it cannot be written: all that was told is that a right answer is rejected."""
+    text = of_a_scara(height)
+    text = with_part(f'kind = "{part}"\npoints = 5', text) if part else text
+    found = check(load_exercise(folder(tmp_path, text)), 1)
+    taken = [one.params for one in found.warnings if one.check == "taken_by_short_form"]
+    assert taken == [{"name": height}] * told
+
+
+@pytest.mark.parametrize(
     ("drawn", "told"), [("-0.4, to = 0.6, step = 0.01", True), ("0.4, to = 0.6, step = 0.1", False)]
 )
 def test_a_value_that_few_students_have_and_that_changes_the_robot_is_a_failure(

@@ -62,6 +62,11 @@ class MatrixEntry(NamedTuple):
     decimal: bool
 
 
+def is_short_form(name: str) -> bool:
+    """Return whether a name means a cosine or a sine, as c1 and s23 do, whatever else has this name."""
+    return _SHORT.fullmatch(name) is not None
+
+
 def read_entry(cell: Cell | NoCell, manner: CellManner, *where: str | int) -> MatrixEntry | Fault:
     """Return what a cell means, or what is wrong with it, at its place."""
     try:

@@ -28,6 +28,7 @@ check-unneeded = No right answer needs { $name }: a student may choose frames in
 }
 check-alike = Some students may swap the numbers of { $name } and { $other } without being noticed: the two differ by no more than 1 %. Choose values, or ranges to draw from, that lie further apart.
 check-taken_by_slide = In the row of joint { $joint }, { $name } under d means the joint variable, not the dimension. Students whose frames put the dimension there cannot write it. Give it another name.
+check-taken_by_short_form = Where an answer is a formula, { $name } means a cosine or a sine, not the dimension. Give it another name.
 check-no_joints = The robot has no joint: there is nothing to describe. Give a row of the table a joint.
 check-nothing_earned = No wrong table earns anything: nothing that a table of zeros gets wrong about this robot carries any weight. Set other weights, or fix more in the policy.
 check-asked_as_shown = The part { $kind } shows what it asks for. Ask for something else, or show it in another form.

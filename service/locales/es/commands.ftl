@@ -28,6 +28,7 @@ check-unneeded = Ninguna respuesta correcta necesita { $name }: el estudiante pu
 }
 check-alike = Algunos estudiantes pueden intercambiar los valores de { $name } y { $other } sin que se note: difieren en un 1 % como máximo. Elija valores o intervalos más separados.
 check-taken_by_slide = En la fila de la articulación { $joint }, { $name } bajo d es la variable articular, no la cota. Quien elija sistemas de referencia en los que la cota aparece allí no podrá escribirla. Dele otro nombre.
+check-taken_by_short_form = Donde la respuesta es una fórmula, { $name } es un coseno o un seno, no la cota. Dele otro nombre.
 check-no_joints = El robot no tiene ninguna articulación: no hay nada que describir. Ponga una en alguna fila de la tabla.
 check-nothing_earned = Ninguna tabla incorrecta obtiene puntos: no tiene peso nada de lo que una tabla de ceros describe mal en este robot. Cambie los pesos o fije más reglas.
 check-asked_as_shown = La parte { $kind } muestra lo que pide. Pida otra cosa o muéstrelo en otra forma.

@@ -28,6 +28,7 @@ check-unneeded = Aucune réponse juste n’a besoin de { $name } : on peut choi
 }
 check-alike = Certains étudiants peuvent intervertir { $name } et { $other } dans les valeurs numériques sans que rien ne le montre : les deux diffèrent de 1 % au plus. Choisissez des valeurs, ou des intervalles de tirage, plus éloignés.
 check-taken_by_slide = Dans la ligne de l’articulation { $joint }, { $name } sous d désigne la variable articulaire, non la cote. Qui choisit des repères où la cote y figure ne peut pas l’écrire. Donnez-lui un autre nom.
+check-taken_by_short_form = Là où la réponse est une formule, { $name } désigne un cosinus ou un sinus, non la cote. Donnez-lui un autre nom.
 check-no_joints = Le robot n’a aucune articulation : il n’y a rien à décrire. Mettez-en une dans une ligne du tableau.
 check-nothing_earned = Aucun tableau faux ne rapporte de points : rien de ce qu’un tableau de zéros décrit mal de ce robot n’a de poids. Changez les poids ou fixez davantage de règles.
 check-asked_as_shown = La partie { $kind } montre ce qu’elle demande. Demandez autre chose, ou montrez-le sous une autre forme.

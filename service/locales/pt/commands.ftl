@@ -31,6 +31,7 @@ check-unneeded = Nenhuma resposta certa precisa de { $name }: o estudante pode e
 }
 check-alike = Alguns estudantes podem trocar { $name } e { $other } em números sem que se note: diferem em 1 % no máximo. Escolha valores ou intervalos mais afastados.
 check-taken_by_slide = Na linha da junta { $joint }, { $name } sob d é a variável de junta, não a dimensão. Quem escolher referenciais em que a dimensão aparece aí não a poderá escrever. Dê-lhe outro nome.
+check-taken_by_short_form = Onde a resposta é uma fórmula, { $name } é um cosseno ou um seno, não a dimensão. Dê-lhe outro nome.
 check-no_joints = O robô não tem nenhuma junta: não há nada a descrever. Ponha uma numa linha da tabela.
 check-nothing_earned = Nenhuma tabela errada recebe pontos: nada do que uma tabela de zeros descreve mal neste robô tem peso. Mude os pesos ou fixe mais regras.
 check-asked_as_shown = A parte { $kind } mostra o que pede. Peça outra coisa ou mostre-a noutra forma.
