@@ -198,7 +198,7 @@ def test_what_a_large_body_makes_is_not_looked_at_by_the_clock_either(
 def test_outside_of_an_application_nothing_is_put_aside(alone: None) -> None:
     before = gc.get_freeze_count()
     assert with_large_lists(lambda: [[], []]) == [[], []]
-    assert gc.get_freeze_count() == before
+    assert gc.get_freeze_count() <= before  # what earlier tests put aside may end meanwhile
 
 
 def test_what_is_gone_with_its_request_does_not_make_all_be_looked_at(collection: Collection) -> None:
