@@ -9,9 +9,11 @@ import { CELLS } from "./model.js";
  *   something else than a sum; they are as they were
  */
 
-const NUMBER = /^\d+(\.\d*)?$|^\.\d+$/;
+const NUMBER = /^(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:e[+\-−–]?\d+)?$/i;
 /** What is said with π is in radians in every table, what is said with ° in degrees. */
 const OWN_UNIT = /pi(?![A-Za-z0-9_])|π|°/iu;
+/** The terms of a sum; the sign of a number's exponent begins no term. */
+const TERMS = /(\s*[+\-−–]?\s*)((?:(?<![\p{L}\d_])[\d.,]+e[+\-−–]\d+|[^+\-−–])+)/giu;
 const PI_FRACTION = /^(?:(\d+)\s*\*?\s*)?(?:pi|π)(?:\s*\/\s*(\d+))?$/i;
 
 /**
@@ -28,7 +30,7 @@ export function convertedAngles(table, to, { keepsPi = false } = {}) {
 /** @param {Table} table @param {Table["lengthUnit"]} from @param {Table["lengthUnit"]} to @returns {Converted} */
 export function convertedLengths(table, from, to) {
   /** @param {string} term */
-  const change = (term) => (NUMBER.test(term) ? written(convertedLength(Number(term), from, to)) : null);
+  const change = (term) => (NUMBER.test(term) ? written(convertedLength(valueOf(term), from, to), term) : null);
   return converted({ ...table, lengthUnit: to }, ["a", "d"], change);
 }
 
@@ -36,7 +38,7 @@ export function convertedLengths(table, from, to) {
 export function holdsNumbers(table, columns) {
   const cells = CELLS.filter((cell) => columns.includes(cell));
   /** @param {any} options */
-  const counts = ({ term }) => !isSymbol(term) && Number(term) !== 0;
+  const counts = ({ term }) => !isSymbol(term) && valueOf(term) !== 0;
   return table.rows.some((row) => cells.some((cell) => termsOf(row[cell])?.some(counts) ?? true));
 }
 
@@ -49,10 +51,10 @@ export function doubtfulAngle({ angleUnit, rows }) {
   const twelfths = (/** @type {number} */ value) => (value * 12) / Math.PI;
   /** @param {string} text */
   const isDoubtful = (text) => {
-    const value = Number(text);
+    const value = valueOf(text);
     if (unit === "deg") return value > 2 * Math.PI;
     const nearest = Math.round(twelfths(value));
-    return /\.\d\d/.test(text) && nearest > 0 && nearest <= 24 && Math.abs(twelfths(value) - nearest) < 0.02;
+    return /[.,]\d\d/.test(text) && nearest > 0 && nearest <= 24 && Math.abs(twelfths(value) - nearest) < 0.02;
   };
   const terms = rows.flatMap(({ alpha, theta }) => [alpha, theta].flatMap((text) => termsOf(text) ?? []));
   const found = terms.map(({ term }) => term).find((term) => NUMBER.test(term) && isDoubtful(term));
@@ -94,7 +96,7 @@ export function convertedSum(text, change) {
 /** The terms of a sum with the signs and blanks before them; null if it holds parentheses. @param {string} text */
 function termsOf(text) {
   if (/[()[\]{}]/.test(text)) return null;
-  const parts = [...text.trim().matchAll(/(\s*[+\-−–]?\s*)([^+\-−–]+)/g)];
+  const parts = [...text.trim().matchAll(TERMS)];
   if (parts.map(([whole]) => whole).join("") !== text.trim()) return null;
   return parts.map(([, sign, term]) => {
     const trimmed = term.trimEnd();
@@ -104,13 +106,13 @@ function termsOf(text) {
 
 /** Whether a term holds a variable or parameter, so that its unit is not its own. @param {string} term */
 function isSymbol(term) {
-  return /[A-Za-zΑ-ω]/u.test(term.replace(new RegExp(OWN_UNIT, "giu"), ""));
+  return !NUMBER.test(term) && /[A-Za-zΑ-ω]/u.test(term.replace(new RegExp(OWN_UNIT, "giu"), ""));
 }
 
 /** @param {string} term */
 function angleInRadians(term) {
   if (OWN_UNIT.test(term)) return term;
-  return NUMBER.test(term) ? fractionOfPi(Number(term)) : null;
+  return NUMBER.test(term) ? fractionOfPi(valueOf(term), term) : null;
 }
 
 /** @param {string} term */
@@ -118,11 +120,11 @@ function angleInDegrees(term) {
   const match = PI_FRACTION.exec(term);
   if (match) return written((Number(match[1] ?? 1) * 180) / Number(match[2] ?? 1));
   if (OWN_UNIT.test(term)) return term;
-  return NUMBER.test(term) ? written((Number(term) * 180) / Math.PI) : null;
+  return NUMBER.test(term) ? written((valueOf(term) * 180) / Math.PI, term) : null;
 }
 
-/** @param {number} degrees */
-function fractionOfPi(degrees) {
+/** @param {number} degrees @param {string} typed */
+function fractionOfPi(degrees, typed) {
   if (degrees === 0) return "0";
   for (const [numerator, denominator] of [
     [1, 1],
@@ -139,10 +141,16 @@ function fractionOfPi(degrees) {
     if (degrees === (180 * numerator) / denominator)
       return `${numerator === 1 ? "" : `${numerator}*`}pi${denominator === 1 ? "" : `/${denominator}`}`;
   }
-  return written((degrees * Math.PI) / 180);
+  return written((degrees * Math.PI) / 180, typed);
 }
 
-/** @param {number} value */
-function written(value) {
-  return String(Number(value.toPrecision(12)));
+/** What a number says, with a decimal point or comma and any minus sign in its exponent. @param {string} term */
+function valueOf(term) {
+  return Number(term.replace(",", ".").replace(/[−–]/, "-"));
+}
+
+/** A number, with the decimal sign of the one that it takes the place of. @param {number} value @param {string} [typed] */
+function written(value, typed = "") {
+  const text = String(Number(value.toPrecision(12)));
+  return typed.includes(",") ? text.replace(".", ",") : text;
 }

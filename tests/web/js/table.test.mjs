@@ -125,6 +125,31 @@ test("lengths are written in another unit, parameters stay", () => {
   );
 });
 
+test("a number with an exponent or a decimal comma is one number, and keeps its comma", () => {
+  const inMillimetres = (text) => {
+    const table = model.setCell(model.newTable("standard", 1), 0, "a", text);
+    const { table: found, left } = convert.convertedLengths(table, "m", "mm");
+    return [found.rows[0].a, left];
+  };
+  const cases = [
+    ["1e-3", "1"],
+    ["2.5E−3", "2.5"],
+    ["L1 - 1.2e-4", "L1 - 0.12"],
+    ["1e3", "1000000"],
+    ["6.1e-17+0.4", "6.1e-14+400"],
+    ["0,4318", "431,8"],
+    ["L1 + 0,25", "L1 + 250"],
+    ["L1e-3", "L1e-3000"],
+  ];
+  for (const [text, expected] of cases) assert.deepEqual(inMillimetres(text), [expected, 0], text);
+  const turned = model.setCell(model.newTable("standard", 1, { angleUnit: "rad" }), 0, "alpha", "6.123e-17");
+  assert.equal(convert.doubtfulAngle(turned), null);
+  assert.equal(convert.convertedAngles(turned, "deg").table.rows[0].alpha, "3.50822057959e-15");
+  const comma = model.setCell(model.newTable("standard", 1), 0, "alpha", "-1,5708");
+  assert.deepEqual(convert.doubtfulAngle(comma), { text: "1,5708", unit: "rad" });
+  assert.equal(convert.convertedAngles(model.setCell(turned, 0, "alpha", "0,0"), "deg").table.rows[0].alpha, "0");
+});
+
 test("an angle that is usual in the other unit is doubted, whatever sum it is in", () => {
   const doubted = (angleUnit, alpha) => {
     const table = model.newTable("standard", 1, { angleUnit });
