@@ -3,7 +3,7 @@
  * for a token. The token is sent with every call; no cookie says who somebody is.
  */
 
-import { Problem } from "../api.js";
+import { pauseAfter, Problem, Throttled } from "../api.js";
 import { debounced, el, fill } from "../dom.js";
 import { dates, ownDirection, t } from "../i18n.js";
 import { percentOf, pointsTold } from "../numbers.js";
@@ -112,6 +112,9 @@ export class CourseSession {
   #told;
   /** Milliseconds that this computer's clock is behind the service's. */
   #behind = 0;
+  /** Drafts go one after another: one that is slow on its way never takes the place of a later one. */
+  #drafts = new Throttled(0);
+  #failures = 0;
   /** @param {import("../api.js").Api} api @param {any} told what the service says of the session */
   constructor(api, told) {
     this.#api = api;
@@ -124,7 +127,7 @@ export class CourseSession {
     this.isTold = false;
     /** @type {unknown} */
     this.typed = null;
-    this.#store = debounced((/** @type {unknown} */ state) => this.#put(state), PAUSE);
+    this.#store = debounced((/** @type {unknown} */ state) => this.#drafts.run(() => this.#put(state)), PAUSE);
     this.#show();
     this.#awaitChange();
   }
@@ -154,12 +157,28 @@ export class CourseSession {
   async #put(state) {
     try {
       await this.#api.put("session/draft", state);
+      this.#failures = 0;
       if (this.typed === state) keep(this.#unsent, null);
     } catch (error) {
+      if (!(error instanceof Problem) || error.passing) this.#putLater(state, error);
       if (this.isTold || !isRefused(error)) return;
       this.isTold = true;
       warnAbove(/** @type {Error} */ (error).message);
     }
+  }
+
+  /** Has what could not be stored now stored later, unless more is typed: nobody may type again. @param {unknown} state @param {unknown} error */
+  #putLater(state, error) {
+    this.#failures += 1;
+    const pause = pauseAfter(this.#failures, error instanceof Problem ? error.wait : 0);
+    setTimeout(() => this.typed === state && this.#store(state), pause);
+  }
+
+  /** Asks how things stand; where the service cannot be reached, what was told last holds, and so does the clock. */
+  async #refresh() {
+    const told = await this.#api.get("session").catch(() => null);
+    if (told) this.told = told;
+    this.#show();
   }
 
   /**
@@ -185,8 +204,7 @@ export class CourseSession {
     if (waits.length === 0) return;
     setTimeout(
       async () => {
-        this.told = await this.#api.get("session").catch(() => this.told);
-        this.#show();
+        await this.#refresh();
         this.#awaitChange();
       },
       Math.min(...waits, LONGEST_WAIT),
@@ -227,8 +245,7 @@ export class CourseSession {
       throw error;
     }
     this.#forgetSent();
-    this.told = await this.#api.get("session").catch(() => this.told);
-    this.#show();
+    await this.#refresh();
     return graded;
   }
 
