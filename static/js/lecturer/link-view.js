@@ -1,6 +1,6 @@
 /** One link: its numbers, the attempts behind them, its rules, regrading, export. */
 
-import { Problem } from "../api.js";
+import { Latest, Problem } from "../api.js";
 import { dataTable } from "../data-table.js";
 import { announce, el, fill } from "../dom.js";
 import { partName } from "../exercise/progress.js";
@@ -17,6 +17,9 @@ const DAYS = 40;
 const LISTED = 200;
 
 export class LinkView {
+  #shown = new Latest();
+  #listed = new Latest();
+
   /**
    * @param {import("../api.js").Api} api @param {any[]} exercises
    * @param {{card: HTMLElement, heading: HTMLElement, body: HTMLElement}} places
@@ -31,28 +34,48 @@ export class LinkView {
     this.link = /** @type {any} */ (null);
   }
 
-  /** @param {any} link */
+  /**
+   * Shows a link once all of it is here: until then the one before stands, whose rules are saved for it alone.
+   * @param {any} link
+   * @returns {Promise<boolean>} false if another link was asked for in the meantime
+   */
   async show(link) {
+    const { body } = this.places;
+    try {
+      const answer = await this.#shown.run((signal) => this.#ask(link, signal));
+      if (!answer) return false;
+      const { settings, found, choice } = answer.value;
+      this.#begin(link);
+      const numbers = link.exercise ? [this.#numbers(found), this.#mistakes(found), this.#unexplained(found)] : [];
+      const rules = this.#rules(settings, choice);
+      fill(body, numbers, this.behind, rules, link.exercise ? this.#work(settings) : null);
+    } catch (error) {
+      this.#begin(link);
+      fill(body, problemNotice(error));
+    }
+    return true;
+  }
+
+  /** @param {any} link @param {AbortSignal} signal */
+  async #ask(link, signal) {
+    const settings = await this.api.get(this.#path("settings", link), { signal });
+    const found = await this.api.get(this.#path("statistics", link), { signal });
+    return { settings, found, choice: await this.#choice(settings) };
+  }
+
+  /** @param {any} link whose numbers and rules come now */
+  #begin(link) {
+    const { card, heading } = this.places;
     this.link = link;
-    const { card, heading, body } = this.places;
+    this.#listed.cancel();
     card.hidden = false;
     heading.textContent = link.title || link.exercise || t("lecturer-no-exercise");
     fill(this.behind);
-    try {
-      const settings = await this.api.get(this.#path("settings"));
-      const found = await this.api.get(this.#path("statistics"));
-      const numbers = link.exercise ? [this.#numbers(found), this.#mistakes(found), this.#unexplained(found)] : [];
-      const rules = this.#rules(settings, await this.#choice(settings));
-      fill(body, numbers, this.behind, rules, link.exercise ? this.#work(settings) : null);
-    } catch (error) {
-      fill(body, problemNotice(error));
-    }
   }
 
   /** @param {any} link @param {any} student */
   async showStudent(link, student) {
-    await this.show(link);
-    await this.#open({ person: student.key });
+    if (!(await this.show(link)) || !(await this.#open({ person: student.key }))) return;
     this.behind.prepend(el("h3", { text: studentName(student) }), this.#allowance(student));
     this.behind.scrollIntoView({ block: "nearest" });
   }
@@ -62,19 +85,19 @@ export class LinkView {
    * @param {any} link @param {string} state @param {any[]} students
    */
   async showState(link, state, students) {
-    await this.show(link);
+    if (!(await this.show(link))) return;
     if (state === "absent" || state === "opened") {
       const heading = t(`lecturer-state-${state}`);
       const names = students.map((student) => el("li", { text: studentName(student) }));
       fill(this.behind, el("h3", { text: heading }), el("ul", { class: "names" }, names));
       announce(named(heading, students.length));
-    } else await this.#open({ state });
+    } else if (!(await this.#open({ state }))) return;
     this.behind.scrollIntoView({ block: "nearest" });
   }
 
-  /** @param {any} rest */
-  #path(rest) {
-    return `course/links/${this.link.id}/${rest}`;
+  /** @param {any} rest @param {any} [link] */
+  #path(rest, link = this.link) {
+    return `course/links/${link.id}/${rest}`;
   }
 
   /** @param {any} options */
@@ -182,14 +205,21 @@ export class LinkView {
     });
   }
 
-  /** @param {Record<string, any>} asked */
+  /** Lists attempts, or says why not. @param {Record<string, any>} asked @returns {Promise<boolean>} false if others were asked for in the meantime */
   async #open(asked) {
-    await telling(this.behind, () => this.#list(asked))();
+    let stands = true;
+    await telling(this.behind, async () => {
+      stands = await this.#list(asked);
+    })();
+    return stands;
   }
 
   /** @param {Record<string, any>} asked */
   async #list(asked) {
-    const { attempts } = await this.api.get(this.#path(`attempts?${new URLSearchParams(asked)}`));
+    const address = this.#path(`attempts?${new URLSearchParams(asked)}`);
+    const answer = await this.#listed.run((signal) => this.api.get(address, { signal }));
+    if (!answer) return false;
+    const { attempts } = answer.value;
     const when = dates({ dateStyle: "short", timeStyle: "short" });
     fill(
       this.behind,
@@ -213,6 +243,7 @@ export class LinkView {
       ),
     );
     announce(t("lecturer-open-attempts", { count: attempts.length }));
+    return true;
   }
 
   /** @param {any} student */
@@ -263,17 +294,23 @@ export class LinkView {
   /** @param {any} settings @param {any[]} exercises */
   #rules(settings, exercises) {
     const said = el("div", { role: "status" });
+    const { link } = this;
+    let saving = false; // a second press would be refused: the rules would have changed since they were read
     const save = async (/** @type {any} */ chosen) => {
+      if (saving) return;
+      saving = true;
       try {
-        await this.api.put(this.#path("settings"), { ...chosen, version: settings.version });
-        this.link.exercise = chosen.exercise;
+        await this.api.put(this.#path("settings", link), { ...chosen, version: settings.version });
+        link.exercise = chosen.exercise;
         await this.act.changed();
-        await this.show(this.link);
+        if (!(await this.show(link))) return;
         fill(this.behind, el("p", { class: "notice notice-good", text: t("lecturer-saved") }));
         announce(t("lecturer-saved"));
         this.behind.scrollIntoView({ block: "nearest" });
       } catch (error) {
         fill(said, problemNotice(error));
+      } finally {
+        saving = false;
       }
     };
     const open = !settings.exercise;
