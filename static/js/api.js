@@ -25,9 +25,9 @@ export class Problem extends Error {
       : [{ code: this.code, pointer: "", detail: this.message, params: {} }];
   }
 
-  /** Whether it is the service that cannot answer now: the same call may be right later. */
+  /** Whether it is not what was asked that is wrong: the service cannot answer now, or something before it has answered. */
   get passing() {
-    return isPassing(this.status);
+    return isPassing(this.status) || !this.code;
   }
 }
 

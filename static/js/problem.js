@@ -12,7 +12,7 @@ const GREEK = { alpha: "α", theta: "θ" };
  * @param {unknown} error @param {(pointer: string) => string} placeOf @returns {string[]}
  */
 function sentencesOf(error, placeOf) {
-  const isOurs = error instanceof Problem && (error.code || !error.passing); // a gateway's 502 has no sentence
+  const isOurs = error instanceof Problem && error.code; // a gateway's 502 or 413 has no sentence
   if (!isOurs) return [t("form-unreachable")];
   return error.faults.map(({ pointer, detail }) => {
     const [, grid, row, cell] = /\/(rows|joints)\/(\d+)\/(\w+)$/.exec(pointer ?? "") ?? [];

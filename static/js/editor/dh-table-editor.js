@@ -404,6 +404,7 @@ export class DhTableEditor extends HTMLElement {
   /** @param {any} event */
   #undoKeys(event) {
     if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
+    if (event.target.closest("dialog")) return; // a text that is pasted there has the browser's own undo
     const key = event.key.toLowerCase();
     const direction = key === "y" || (key === "z" && event.shiftKey) ? "redo" : key === "z" ? "undo" : null;
     if (!direction) return;
@@ -441,7 +442,6 @@ export class DhTableEditor extends HTMLElement {
     const { convention, angleUnit, lengthUnit } = this.#table;
     this.#change(newTable(convention, 1, { angleUnit, lengthUnit }), { focus: [0, COLUMNS[convention][0]] });
     this.#say(t("form-new-done"));
-    announce(t("form-new-done"));
   }
 
   async #openPaste() {

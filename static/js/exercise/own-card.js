@@ -163,7 +163,9 @@ export class OwnCard {
 
   /** @param {unknown} error */
   #fail(error) {
-    fill(this.status, problemNotice(error));
+    const notice = problemNotice(error);
+    // What stands there already would be read out again at every try.
+    if (this.status.textContent !== notice.textContent) fill(this.status, notice);
     this.#dim(true);
   }
 

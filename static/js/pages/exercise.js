@@ -212,8 +212,8 @@ async function run() {
       if (wrong !== null && !changed()) own.film.show(wrong.row - 1, wrong.cell);
       await listAttempts();
     } catch (error) {
-      const shown = error instanceof Problem && error.status < 500 && answer.showRefusal(error.faults, request.table);
-      if (!shown) showProblem(error);
+      const refused = error instanceof Problem && error.code && error.status < 500;
+      if (!refused || !answer.showRefusal(error.faults, request.table)) showProblem(error);
     } finally {
       answer.busy = false;
     }

@@ -114,6 +114,15 @@ for (const status of [429, 503])
     assert.deepEqual(asked, { times: 2, faults: 0 });
   });
 
+test("a refusal by something before the service is no fault of the table", async (context) => {
+  const { robot, asked, pass } = failing(context, new Problem(413, {}));
+  let failures = 0;
+  robot.addEventListener("failure", () => (failures += 1));
+  robot.take({ rows: [] }, { now: true });
+  await pass(0);
+  assert.deepEqual([asked.faults, failures], [0, 1]);
+});
+
 test("a robot whose service is away asks less and less often, and at once what is typed", async (context) => {
   const { robot, asked, pass } = failing(context, new Error("unreachable"));
   robot.take({ rows: [] }, { now: true });

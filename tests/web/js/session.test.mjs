@@ -65,7 +65,7 @@ test("a draft that is slow on its way never comes after a later one", async (con
 
 test("a draft that could not be stored is stored once the service answers, though nobody types again", async (context) => {
   const wait = clockOf(context);
-  const errors = [new Error("offline"), new Problem(503, {}, "", 5), new Problem(413, {})];
+  const errors = [new Error("offline"), new Problem(503, {}, "", 5), new Problem(413, { code: "body_too_large" })];
   const sent = [];
   const put = async (path, state) => {
     sent.push(state);
