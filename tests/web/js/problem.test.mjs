@@ -20,7 +20,6 @@ function saidOf(error) {
 }
 
 test("what something before the service refuses has a sentence, whatever the status", () => {
-  for (const status of [403, 413, 502])
-    assert.deepEqual(saidOf(new Problem(status, {})), ["form-unreachable"], status);
+  for (const status of [403, 413, 502]) assert.deepEqual(saidOf(new Problem(status, {})), ["form-unreachable"], status);
   assert.deepEqual(saidOf(new Problem(413, { code: "body_too_large", detail: "Too large." })), ["Too large."]);
 });
