@@ -6,12 +6,14 @@ import io
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from datetime import date, time, timedelta
 from pathlib import PurePosixPath
 from typing import Any, TypeAlias
 from unicodedata import normalize
 
 from kinematics.errors import Fault
-from kinematics.table import ANGLES, CELLS
+from kinematics.table import CELLS
+from service.adapters.column_titles import column_of, is_header, repeated_titles, told_by
 from service.adapters.workbooks import UnreadableError, sheets_of
 from service.http.decoding import JsonLimits, decode_json
 from service.http.problems import RequestError, ServiceError
@@ -31,26 +33,14 @@ _JSON_LIMITS = JsonLimits(
 )
 """As many rows as other files may have, each an object of eight values at most."""
 
-_COLUMNS = {
-    "theta": "theta θ th thetai θi jointangle thetaoffset θoffset thêta teta тета",
-    "d": "d di linkoffset offset",
-    "a": "a ai r ri linklength ai-1 a(i-1)",
-    "alpha": "alpha α alphai αi linktwist twist alphai-1 αi-1 alpha(i-1) α(i-1) alfa альфа",
-    "joint": "joint type jointtype sigma σ",
-    "student": "student studentid user username userid login email name id",
-    "exercise": "exercise robot task",
-    "convention": "convention",
-    "link": "link row i linki # frame no nr",
-}
-_MEANING = {spelling: column for column, spellings in _COLUMNS.items() for spelling in spellings.split()}
 _JOINT_TYPES = {
     "r": "revolute", "revolute": "revolute", "rotational": "revolute", "0": "revolute",
     "p": "prismatic", "prismatic": "prismatic", "1": "prismatic", "t": "prismatic", "linear": "prismatic",
     "f": "fixed", "fixed": "fixed",
 }  # fmt: skip
 _HEADER_WITHIN = 50  # Lines in which the names of the columns are looked for, to tell what separates them.
-_UNIT_IN_HEADER = re.compile(r"[\[(]\s*(deg|degrees|°|rad|radians|m|cm|mm|in)\s*[\])]")
-_UNITS = {"°": "deg", "degrees": "deg", "radians": "rad"}
+_RULE = re.compile(":?-{3,}:?")  # What stands below each title of a table in Markdown.
+_TWO_ARGUMENTS = "atan2("  # Behind it a comma between digits is no decimal one.
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -135,7 +125,7 @@ def _json_tables(
         yield from _json_tables(name, document["table"], settings, student, exercise, depth + 1)
     elif isinstance(document.get("rows"), list):
         yield FoundTable(student=student, exercise=exercise, table=_json_table(document, settings))
-    elif columns := _json_columns(document):
+    elif columns := _json_columns(name, document):
         rows = _rows_of_columns(name, columns, document.get("joint_types"))
         table = {**_head(settings, document), "rows": rows}
         yield FoundTable(student=student, exercise=exercise, table=table)
@@ -150,14 +140,18 @@ def _json_table(document: Mapping[str, Any], settings: TableSettings) -> dict[st
     return {**_head(settings, {}), **known}
 
 
-def _json_columns(document: Mapping[str, Any]) -> dict[str, list[object]]:
+def _json_columns(name: str, document: Mapping[str, Any]) -> dict[str, list[object]]:
     """The columns of a table that is written by columns; none if one of the four is missing."""
-    columns = {
-        column: values
-        for key, values in document.items()
-        if isinstance(values, list) and (column := _column(str(key))) in CELLS
-    }
-    return columns if len(columns) == len(CELLS) else {}
+    lists = {str(key): values for key, values in document.items() if isinstance(values, list)}
+    if not is_header(tuple(lists)):
+        return {}
+    _refuse_repeated(name, tuple(lists))
+    return {column: values for key, values in lists.items() if (column := column_of(key)) in CELLS}
+
+
+def _refuse_repeated(name: str, titles: Sequence[str]) -> None:
+    if repeated := repeated_titles(titles):
+        raise _refused("columns_repeated", name, titles=tuple(repeated))
 
 
 def _rows_of_columns(
@@ -179,11 +173,18 @@ def _workbook_tables(name: str, content: bytes, settings: TableSettings) -> Iter
         sheets = sheets_of(content, MOST_ROWS, _MOST_CELLS)
     except UnreadableError as error:
         raise _refused("file_unreadable", name, reason=str(error)) from None
-    for title, grid in sheets:
-        if any(any(cell not in ("", None) for cell in row) for row in grid):
+    widths = [_width(grid) for _, grid in sheets]
+    least = min(max(widths, default=0), len(CELLS))  # a narrower sheet holds notes beside a table
+    for (title, grid), width in zip(sheets, widths, strict=True):
+        if width and width >= least:
             for found in _grid_tables(name, grid, settings):
                 exercise = found.exercise or (title if len(sheets) > 1 else None)
                 yield FoundTable(student=found.student, exercise=exercise, table=found.table)
+
+
+def _width(grid: Grid) -> int:
+    """How many cells of the widest row hold something."""
+    return max((sum(cell not in ("", None) for cell in row) for row in grid), default=0)
 
 
 def _decoded(name: str, content: bytes) -> str:
@@ -204,9 +205,9 @@ def _delimited(name: str, content: bytes) -> Grid:
     lines = [line for line in text.splitlines() if line.strip()]
     if "\0" in text or not lines:
         raise _refused("file_unreadable", name, reason="empty" if not lines else "binary")
-    headers = ((mark, line) for line in lines[:_HEADER_WITHIN] for mark in "\t;,|")
-    delimiter = next((mark for mark, line in headers if _is_header(line.split(mark))), ",")
     csv.field_size_limit(LARGEST_FILE)
+    headers = ((mark, line) for line in lines[:_HEADER_WITHIN] for mark in "\t;,|")
+    delimiter = next((mark for mark, line in headers if is_header(_split(line, mark))), ",")
     rows = csv.reader(io.StringIO(text, newline=None), delimiter=delimiter)
     try:
         return [row for row, _ in zip(rows, range(MOST_ROWS), strict=False)]
@@ -214,23 +215,33 @@ def _delimited(name: str, content: bytes) -> Grid:
         raise _refused("file_unreadable", name, reason="columns") from None
 
 
+def _split(line: str, delimiter: str) -> list[str]:
+    """The cells of a line, without their quotation marks."""
+    return next(csv.reader([line], delimiter=delimiter))
+
+
 def _grid_tables(name: str, grid: Grid, settings: TableSettings) -> Iterator[FoundTable]:
     """Yield the tables below a header row: one for each student and exercise."""
     rows = [[_cell(cell) for cell in row] for row in grid]
     rows = [row for row in rows if any(cell != "" for cell in row)]
-    start = next((i for i, row in enumerate(rows) if _is_header(row)), None)
+    start = next((i for i, row in enumerate(rows) if is_header(row)), None)
     if start is None:
         raise _refused("columns_unknown", name, known=CELLS)
     header = [str(cell) for cell in rows[start]]
-    columns = [_column(title) for title in header]
-    head = _head_of(settings, header)
+    _refuse_repeated(name, header)
+    columns = [column_of(title) for title in header]
+    head = {**_head(settings, {}), **dict(told_by(header))}
     groups: dict[tuple[str, str], list[dict[str, object]]] = {}
     conventions: dict[tuple[str, str], str] = {}
-    for row in rows[start + 1 :]:
+    key = ("", "")
+    below = start + 1
+    if below < len(rows) and all(_RULE.fullmatch(str(cell)) for cell in rows[below] if cell != ""):
+        below += 1
+    for row in rows[below:]:
         cells = {column: cell for column, cell in zip(columns, row, strict=False) if column}
-        key = (str(cells.get("student", "")), str(cells.get("exercise", "")))
+        key = _owner(cells, key)
         groups.setdefault(key, []).append(_row(cells))
-        if convention := str(cells.get("convention", "")).strip().lower():
+        if convention := _name(cells.get("convention")).lower():
             conventions[key] = convention
     for (student, exercise), table_rows in groups.items():
         convention = conventions.get((student, exercise), head["convention"])
@@ -238,52 +249,39 @@ def _grid_tables(name: str, grid: Grid, settings: TableSettings) -> Iterator[Fou
         yield FoundTable(student=student or None, exercise=exercise or None, table=table)
 
 
-def _is_header(row: Sequence[object]) -> bool:
-    return set(CELLS) <= {_column(str(cell)) for cell in row}
+def _owner(cells: Mapping[str, object], above: tuple[str, str]) -> tuple[str, str]:
+    """Student and exercise of a row; where a cell is empty, such as the rest of a merged one, those above."""
+    student = _name(cells.get("student")) or above[0]
+    return student, _name(cells.get("exercise")) or (above[1] if student == above[0] else "")
 
 
 def _row(cells: Mapping[str, object]) -> dict[str, object]:
     row = {name: cells.get(name, "") for name in CELLS}
-    joint = _JOINT_TYPES.get(str(cells.get("joint", "")).strip().lower())
+    joint = _JOINT_TYPES.get(_name(cells.get("joint")).lower())
     return {**row, "joint": joint} if joint else row
+
+
+def _name(value: object) -> str:
+    """A cell as a name; the numbers of a workbook all have a fraction: 12345.0."""
+    if value is None:
+        return ""
+    whole = int(value) if isinstance(value, float) and value.is_integer() else value
+    return normalize("NFC", str(whole)).strip()
 
 
 def _cell(value: object) -> object:
     """A cell as the grammar reads it; a decimal comma becomes a point."""
     if value is None:
         return ""
-    if isinstance(value, bool | int | float):
-        return value
-    return re.sub(r"(?<=\d),(?=\d)", ".", str(value).strip())
-
-
-def _column(title: str) -> str:
-    bare = _UNIT_IN_HEADER.sub("", _plain(title))
-    return _MEANING.get(re.sub(r"[\s_{}$\\*]", "", bare), "")
-
-
-def _plain(title: str) -> str:
-    """A title in lower case, its indices on the line: aᵢ₋₁ as ai-1."""
-    return normalize("NFKC", title.strip().lower()).replace("−", "-")
+    if isinstance(value, bool | int | float | date | time | timedelta):
+        return value  # a date that a workbook made of 1/2 is refused where cells are read
+    text = str(value).strip()
+    return text if _TWO_ARGUMENTS in text else re.sub(r"(?<=\d),(?=\d)", ".", text)
 
 
 def _head(settings: TableSettings, document: Mapping[str, Any]) -> dict[str, str]:
     names = ("convention", "angle_unit", "length_unit")
     return {name: str(document.get(name) or getattr(settings, name)) for name in names}
-
-
-def _head_of(settings: TableSettings, header: Sequence[str]) -> dict[str, str]:
-    """Convention and units as the header's titles name them: a_{i-1}, alpha (deg), d [mm]."""
-    head = _head(settings, {})
-    for title in header:
-        found = _UNIT_IN_HEADER.search(_plain(title))
-        column = _column(title)
-        if found:
-            unit = _UNITS.get(found[1], found[1])
-            head["angle_unit" if column in ANGLES else "length_unit"] = unit
-        if column in ("a", "alpha") and re.search(r"i\s*-\s*1", _plain(title)):
-            head["convention"] = "modified"
-    return head
 
 
 def _text(value: object) -> str | None:

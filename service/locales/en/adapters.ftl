@@ -20,6 +20,7 @@ error-file_type_unknown = { $file } is of an unsupported type. Supported: { $kno
 error-file_without_table = { $file } holds no DH table. A table has the columns theta, d, a and alpha.
 error-files_too_many = { $file } holds more than { $limit } files.
 error-columns_unknown = No row of { $file } names the columns { $known }. Write them above the table.
+error-columns_repeated = The titles { $titles } of { $file } mean the same column. Write each column once; an offset of a joint belongs in its cell: q1 + 90.
 error-columns_differ_in_length = The columns of { $file } differ in length; each needs one entry for each row.
 error-exercise_not_named = This does not say which exercise it answers. Name it, for example puma560.
 error-artefact_unknown = Artefacts of type { $type } are not supported; { $known } are.

@@ -20,6 +20,7 @@ error-file_type_unknown = { $file } es de un tipo que aquí no se lee. Se leen {
 error-file_without_table = { $file } no contiene ninguna tabla DH. Una tabla tiene las columnas theta, d, a y alpha.
 error-files_too_many = { $file } contiene más de { $limit } archivos.
 error-columns_unknown = Ninguna fila de { $file } nombra las columnas { $known }. Escríbalas encima de la tabla.
+error-columns_repeated = Los títulos { $titles } de { $file } designan la misma columna. Escriba cada columna una sola vez; el desplazamiento de una articulación va en su celda: q1 + 90.
 error-columns_differ_in_length = Las columnas de { $file } tienen longitudes distintas; cada una necesita una entrada por fila.
 error-exercise_not_named = No se dice a qué ejercicio responde. Indíquelo, por ejemplo puma560.
 error-artefact_unknown = Aquí no se evalúan artefactos de tipo { $type }; sí { $known }.

@@ -20,6 +20,7 @@ error-file_type_unknown = { $file } est d’un type qui n’est pas lu ici. Sont
 error-file_without_table = { $file } ne contient aucun tableau DH. Un tableau a les colonnes theta, d, a et alpha.
 error-files_too_many = { $file } contient plus de { $limit } fichiers.
 error-columns_unknown = Aucune ligne de { $file } ne nomme les colonnes { $known }. Écrivez-les au-dessus du tableau.
+error-columns_repeated = Les titres { $titles } de { $file } désignent la même colonne. Écrivez chaque colonne une seule fois ; le décalage d’une articulation se met dans sa cellule : q1 + 90.
 error-columns_differ_in_length = Les colonnes de { $file } n’ont pas la même longueur ; il faut une valeur par ligne dans chacune.
 error-exercise_not_named = Il n’est pas dit à quel exercice ceci répond. Nommez-le, par exemple puma560.
 error-artefact_unknown = Les productions de type { $type } ne sont pas évaluées ici. Types évalués : { $known }.

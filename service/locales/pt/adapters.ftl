@@ -20,6 +20,7 @@ error-file_type_unknown = { $file } é de um tipo que não é lido aqui. São li
 error-file_without_table = { $file } não contém nenhuma tabela DH. Uma tabela tem as colunas theta, d, a e alpha.
 error-files_too_many = { $file } contém mais de { $limit } ficheiros.
 error-columns_unknown = Nenhuma linha de { $file } nomeia as colunas { $known }. Escreva-as acima da tabela.
+error-columns_repeated = Os títulos { $titles } de { $file } designam a mesma coluna. Escreva cada coluna uma só vez; o deslocamento de uma junta fica na sua célula: q1 + 90.
 error-columns_differ_in_length = As colunas de { $file } têm comprimentos diferentes; cada uma precisa de um valor por linha.
 error-exercise_not_named = Não se diz a que exercício isto responde. Indique-o, por exemplo puma560.
 error-artefact_unknown = Aqui não se avaliam artefactos do tipo { $type }; avaliam-se { $known }.

@@ -26,6 +26,7 @@ error-files_too_many =
        *[other] { $limit } de fișiere
     }.
 error-columns_unknown = Niciun rând din { $file } nu numește coloanele { $known }. Scrieți-le deasupra tabelului.
+error-columns_repeated = Titlurile { $titles } din { $file } desemnează aceeași coloană. Scrieți fiecare coloană o singură dată; decalajul unei cuple se scrie în celula ei: q1 + 90.
 error-columns_differ_in_length = Coloanele din { $file } au lungimi diferite; fiecare are nevoie de o valoare pentru fiecare rând.
 error-exercise_not_named = Nu se spune la ce exercițiu răspunde. Numiți-l, de exemplu puma560.
 error-artefact_unknown = Aici nu se evaluează artefacte de tipul { $type }; se evaluează { $known }.

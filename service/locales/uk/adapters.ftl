@@ -26,6 +26,7 @@ error-files_too_many =
        *[other] { $limit } файлів
     }.
 error-columns_unknown = Жоден рядок у { $file } не називає стовпців { $known }. Напишіть їх над таблицею.
+error-columns_repeated = Заголовки { $titles } у { $file } позначають один і той самий стовпець. Запишіть кожен стовпець один раз; зміщення зчленування пишеться в його клітинці: q1 + 90.
 error-columns_differ_in_length = Стовпці в { $file } різної довжини; у кожному має бути по одному значенню на рядок.
 error-exercise_not_named = Не сказано, на яку вправу це відповідь. Назвіть її, наприклад puma560.
 error-artefact_unknown = Роботи типу { $type } тут не оцінюються; оцінюються { $known }.

@@ -9,6 +9,7 @@ from xml.sax.saxutils import escape
 
 import pytest
 
+from kinematics.cells.tables import NoCell, as_cell
 from service.adapters.hand_ins import count_files, hand_ins, identifier_of, student_of
 from service.adapters.table_files import LARGEST_FILE, TableSettings, read_tables
 from service.http.problems import RequestError
@@ -85,6 +86,8 @@ def cell(value: object) -> str:
         ("t.csv", "\ufeffθ;d;a;α\nq1;0;L1;90\nq2;0;L2;0\n".encode("utf-16-be")),
         ("t.tsv", b"i\tTheta_i\td_i\tr_i\ttwist\n1\tq1\t0\tL1\t90\n2\tq2\t0\tL2\t0\n"),
         ("t.txt", b"my answer\n\n| theta | d | a | alpha |\n| q1 | 0 | L1 | 90 |\n| q2 | 0 | L2 | 0 |\n"),
+        ("t.csv", b'"theta";"d";"a";"alpha"\n"q1";0;"L1";90\n"q2";0;"L2";0\n'),
+        ("t.txt", b"|theta|d|a|alpha|\n|:---|---|---|---:|\n| q1 | 0 | L1 | 90 |\n| q2 | 0 | L2 | 0 |\n"),
         ("t.json", b'{"theta": ["q1", "q2"], "d": [0, 0], "a": ["L1", "L2"], "alpha": [90, 0]}'),
     ],
 )  # fmt: skip
@@ -122,6 +125,58 @@ def test_several_students_in_a_file() -> None:
     assert [(table.student, len(table.table["rows"])) for table in found] == [("ann", 1), ("bob", 2)]
 
 
+def test_rows_below_a_name_are_the_same_students() -> None:
+    """Of merged cells only the first has the name: the other rows were one table of nobody's."""
+    content = (
+        b"student,exercise,theta,d,a,alpha\nann,one,q1,0,1,0\n,,q2,0,2,0\nbob,two,q1,0,3,0\n,,q2,0,4,0\n"
+    )
+    found = read_tables("class.csv", content, TableSettings())
+    assert [(table.student, table.exercise) for table in found] == [("ann", "one"), ("bob", "two")]
+    assert [[row["a"] for row in table.table["rows"]] for table in found] == [["1", "2"], ["3", "4"]]
+
+
+def test_numbers_of_a_workbook_are_names_and_types_of_joints() -> None:
+    """A workbook has no whole numbers: student 12345.0 was nobody, and joint 1.0 of no type."""
+    head = ["student", "sigma", "theta", "d", "a", "alpha"]
+    content = spreadsheet({"a": [head, [12345, 0, 0, 0, 1, 90], [12345, 1, 0, 0, 1, 90]]})
+    (found,) = read_tables("class.xlsx", content, DEG)
+    assert found.student == "12345"
+    assert [row["joint"] for row in found.table["rows"]] == ["revolute", "prismatic"]
+
+
+def test_a_name_is_one_name_however_its_accents_are_encoded() -> None:
+    content = "student,theta,d,a,alpha\nZo\u00eb,q1,0,1,0\nZoe\u0308,q2,0,2,0\n".encode()
+    (found,) = read_tables("class.csv", content, TableSettings())
+    assert found.student == "Zo\u00eb"
+
+
+def test_a_comma_between_two_arguments_is_no_decimal_comma() -> None:
+    (row,) = rows("t.csv", b'theta,d,a,alpha\nq1,"1,5",0,"atan2(3,4)"\n')
+    assert (row["d"], row["alpha"]) == ("1.5", "atan2(3,4)")
+
+
+def test_a_date_that_a_spreadsheet_made_is_refused_and_not_subtracted() -> None:
+    """1/2 becomes 1 February 2026, which was read as 2026 - 2 - 1."""
+    texts = "".join(
+        f'<table:table-cell office:value-type="string"><text:p>{text}</text:p></table:table-cell>'
+        for text in ("theta", "d", "a", "alpha")
+    )
+    day = '<table:table-cell office:value-type="date" office:date-value="2026-02-01"/>'
+    content = document(
+        f"<table:table-row>{texts}</table:table-row><table:table-row>{FULL.format(3)}{day}</table:table-row>"
+    )
+    (row,) = rows("t.ods", content)
+    assert as_cell(row["alpha"]) == NoCell("date")
+
+
+def test_a_sheet_of_notes_beside_a_table_costs_nothing() -> None:
+    table = [["theta", "d", "a", "alpha"], ["q1", 0, 0.4, 0]]
+    notes = {"Notes": [["I measured", 0.4]], "t": table}
+    assert len(read_tables("ann.xlsx", spreadsheet(notes), DEG)) == 1
+    with pytest.raises(RequestError):
+        read_tables("ann.xlsx", spreadsheet({"t": table, "u": [["angle", "d", "a", "alpha"]]}), DEG)
+
+
 def test_a_workbook_with_a_sheet_for_each_robot() -> None:
     head = ["theta", "d", "a", "alpha"]
     content = spreadsheet({"scara": [head, ["q1", 0, 0.4, 0]], "twolink": [head, ["q1", 0, "L1", 90]]})
@@ -137,6 +192,8 @@ def test_a_workbook_with_a_sheet_for_each_robot() -> None:
         ("t.json", b"[" * 500 + b"]" * 500, "json_too_deep"),
         ("t.json", b'{"a": 1}', "file_without_table"),
         ("t.json", b'{"theta": [0], "d": [0, 1], "a": [0], "alpha": [0]}', "columns_differ_in_length"),
+        ("t.json", b'{"theta": [0], "d": [5], "a": [0], "alpha": [0], "offset": [0]}', "columns_repeated"),
+        ("t.csv", b"j,theta,d,a,alpha,offset\n1,q1,5,0,90,0\n", "columns_repeated"),
         ("t.csv", b"", "file_unreadable"),
         ("t.csv", b"\xff\xfet\x00h\x00e", "file_unreadable"),
         ("t.csv", b"1,2,3,4\n", "columns_unknown"),
