@@ -458,6 +458,30 @@ def test_a_lost_context_falls_back_to_svg(open_page: OpenPage) -> None:
     expect(scene.locator("svg.scene-svg line").first).to_be_attached()
 
 
+def test_a_scene_that_is_gone_holds_no_context(open_page: OpenPage) -> None:
+    """A browser has sixteen: each verdict with a picture took one, in the end the own robot's."""
+    page = open_page("/exercises/scara", webgl=True)
+    put_table(page, SCARA)
+    scene = page.locator("#own robot-scene")
+    expect(scene).to_have_attribute("data-renderer", "webgl")
+    is_lost = page.evaluate("""async () => {
+      const scene = document.querySelector("#own robot-scene"), place = scene.parentElement;
+      const context = scene.querySelector("canvas").getContext("webgl2"), found = [];
+      const told = async () => { await Promise.resolve(); found.push(context.isContextLost()); };
+      scene.remove();
+      place.prepend(scene);  // it is only moved
+      await told();
+      scene.remove();
+      await told();
+      place.prepend(scene);
+      return found;
+    }""")
+    assert is_lost == [False, True]
+    expect(scene).to_have_attribute("data-renderer", "webgl")
+    expect(scene.locator("canvas")).to_have_count(1)
+    expect(scene.locator("svg.scene-svg")).to_have_count(0)
+
+
 def test_everything_works_under_a_prefix(open_page: OpenPage) -> None:
     with running(Settings(prefix="/robotics/dh")) as origin:
         page = open_page("/robotics/dh/", origin=origin)

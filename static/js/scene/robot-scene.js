@@ -50,9 +50,23 @@ export class RobotScene extends HTMLElement {
   #framed = false;
   #touched = false;
   #started = false;
+  #seen = new IntersectionObserver((entries) => {
+    if (!entries.some((entry) => entry.isIntersecting)) return;
+    this.#seen.unobserve(this);
+    this.#upgrade();
+  });
 
   connectedCallback() {
-    if (this.#started) return;
+    if (!this.#started) this.#start();
+    else this.#draw();
+    if (this.dataset.renderer !== "webgl") this.#seen.observe(this);
+  }
+
+  disconnectedCallback() {
+    queueMicrotask(() => this.isConnected || this.#leave()); // one that is only moved comes back at once
+  }
+
+  #start() {
     this.#started = true;
     this.#build();
     this.#renderer = new SvgRenderer();
@@ -67,12 +81,6 @@ export class RobotScene extends HTMLElement {
       this.#renderer.takeColours?.();
       this.#draw();
     });
-    const seen = new IntersectionObserver((entries) => {
-      if (!entries.some((entry) => entry.isIntersecting)) return;
-      seen.disconnect();
-      this.#upgrade();
-    });
-    seen.observe(this);
     this.#resize();
   }
 
@@ -312,10 +320,11 @@ export class RobotScene extends HTMLElement {
     await whenIdle();
     try {
       const { ThreeRenderer } = await import("./three-renderer.js");
+      if (!this.isConnected || this.dataset.renderer === "webgl") return;
       const better = new ThreeRenderer();
       this.viewport.prepend(better.element);
       better.setModel(this.#whole);
-      better.element.addEventListener("webglcontextlost", () => this.#fallBack(), { once: true });
+      better.element.addEventListener("webglcontextlost", () => this.#renderer === better && this.#fallBack());
       this.#renderer.dispose();
       this.#renderer = better;
       this.#say("webgl");
@@ -323,6 +332,15 @@ export class RobotScene extends HTMLElement {
     } catch {
       this.#fallBack();
     }
+  }
+
+  /** Gives back what WebGL holds: a browser has about sixteen of them, and takes the oldest on the page for the next. */
+  #leave() {
+    this.#seen.unobserve(this);
+    if (this.dataset.renderer !== "webgl") return;
+    const left = this.#renderer;
+    this.#fallBack();
+    left.dispose();
   }
 
   #fallBack() {

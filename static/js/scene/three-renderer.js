@@ -125,6 +125,7 @@ export class ThreeRenderer {
 
   dispose() {
     this.renderer.dispose();
+    this.renderer.forceContextLoss();
     this.element.remove();
   }
 
