@@ -2,7 +2,7 @@
 
 import csv
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import TextIO
@@ -63,18 +63,34 @@ def write_gradebook(entries: Iterable[GradebookEntry], stream: TextIO, form: Gra
         case GradebookFormat.MOODLE:
             # Site administration calls the columns what it likes; these are the grade import's own names.
             writer.writerow(("Identifier", "Full name", "Grade", "Maximum Grade", "Feedback comments"))
-            for entry in _of_students(entries):
+            for entry in _best(entries):
                 writer.writerow(
                     (safe(entry.identifier or entry.student), safe(entry.student), _number(entry.points),
                      _number(entry.max_points), safe(entry.feedback))
                 )  # fmt: skip
         case GradebookFormat.CANVAS:
-            _write_canvas(_of_students(entries), writer)
+            _write_canvas(_best(entries), writer)
 
 
-def _of_students(entries: Iterable[GradebookEntry]) -> Iterator[GradebookEntry]:
-    """Leave out what belongs to nobody, such as a forged receipt: a gradebook has no line for it."""
-    return (entry for entry in entries if entry.student and entry.exercise)
+def _best(entries: Iterable[GradebookEntry]) -> list[GradebookEntry]:
+    """Return one entry for each student and exercise: the one with the most points.
+
+    A gradebook takes the last line of a student, and would have no mark where that could not be read. It has
+    no line for what belongs to nobody, such as a forged receipt.
+    """
+    best: dict[tuple[str, str | None, str], GradebookEntry] = {}
+    for entry in entries:
+        key = entry.student, entry.identifier, entry.exercise
+        if entry.student and entry.exercise and _rank(entry) > _rank(best.get(key)):
+            best[key] = entry
+    return list(best.values())
+
+
+def _rank(entry: GradebookEntry | None) -> float:
+    """The points; what could not be graded is less than none, and no entry less than that."""
+    if entry is None:
+        return -2.0
+    return -1.0 if entry.points is None else entry.points
 
 
 def safe(text: str) -> str:
@@ -82,9 +98,8 @@ def safe(text: str) -> str:
     return _FORMULA.sub("'", text)
 
 
-def _write_canvas(entries: Iterable[GradebookEntry], writer: "csv._writer") -> None:  # type: ignore[name-defined]
+def _write_canvas(entries: Sequence[GradebookEntry], writer: "csv._writer") -> None:  # type: ignore[name-defined]
     """Canvas wants one column for an assignment and a second row with what it is worth."""
-    entries = list(entries)
     exercises: dict[str, float | None] = {}
     for entry in entries:
         worth = exercises.get(entry.exercise)

@@ -4,8 +4,10 @@ import re
 import zipfile
 import zlib
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
+from unicodedata import normalize
 
 from kinematics.errors import Fault
 from service.adapters.table_files import LARGEST_FILE, SUFFIXES, FoundTable, TableSettings, read_tables
@@ -15,6 +17,8 @@ MOST_FILES = 50_000  # Files of a folder or archive: several for each student of
 
 _DAMAGE = (zipfile.BadZipFile, zlib.error, EOFError, RuntimeError, NotImplementedError, OSError)
 """What reading a member raises that is damaged, encrypted, or packed in a way that nobody reads."""
+
+_UTF8 = 0x800  # Bit 11 of a member's flags: its name is in UTF-8 (APPNOTE.TXT 4.4.4).
 
 _MOODLE = re.compile(r"^(?P<name>.+?)_(?P<id>\d+)_(?:assignsubmission_|onlinetext)")
 _CANVAS = re.compile(r"^(?P<name>[^_/]+)_(?:LATE_)?(?:(?P<id>\d+)_\d+)_")
@@ -85,7 +89,21 @@ def _names(path: Path) -> list[str] | None:
     if path.suffix.lower() != ".zip":
         return None
     with zipfile.ZipFile(path) as archive:
-        return [entry.filename for entry in archive.infolist() if not entry.is_dir()]
+        return list(_members(archive))
+
+
+def _members(archive: zipfile.ZipFile) -> dict[str, zipfile.ZipInfo]:
+    """Return the files of an archive by their names."""
+    return {_name_of(entry): entry for entry in archive.infolist() if not entry.is_dir()}
+
+
+def _name_of(entry: zipfile.ZipInfo) -> str:
+    """The name of a member: in code page 437 if no flag says UTF-8, which macOS writes without one."""
+    name = entry.filename
+    if not entry.flag_bits & _UTF8:
+        with suppress(UnicodeError):
+            name = name.encode("cp437").decode("utf-8")
+    return normalize("NFC", name)
 
 
 def student_of(name: str) -> str:
@@ -93,22 +111,33 @@ def student_of(name: str) -> str:
 
     Otherwise the folder that the file lies in names the student, or else the file does.
     """
+    if found := _scheme_of(name):
+        return found["name"]
     parts = PurePosixPath(name).parts
-    for part in reversed(parts):
-        for scheme in (_MOODLE, _BLACKBOARD, _CANVAS):
-            if found := scheme.search(part):
-                return found["name"]
     return parts[-2] if len(parts) > 1 else PurePosixPath(name).stem
 
 
 def identifier_of(name: str) -> str | None:
     """Return what Moodle or Canvas call a student, and import by: `Participant 12`, a user's number."""
-    for part in PurePosixPath(name).parts:
-        if found := _MOODLE.search(part):
-            return f"Participant {found['id']}"
-        if (found := _CANVAS.search(part)) and not _BLACKBOARD.search(part):
-            return found["id"]
-    return None
+    found = _scheme_of(name)
+    if found is None or found.re is _BLACKBOARD:
+        return None
+    return f"Participant {found['id']}" if found.re is _MOODLE else found["id"]
+
+
+def _scheme_of(name: str) -> re.Match[str] | None:
+    """Where an LMS has named a student: in a folder of Moodle the files bear names that students chose."""
+    parts = PurePosixPath(name).parts
+    for step in parts:
+        if found := _MOODLE.search(step):
+            return found
+    matches = (scheme.search(step) for step in reversed(parts) for scheme in (_BLACKBOARD, _CANVAS))
+    return next(filter(None, matches), None)
+
+
+def _person(name: str) -> tuple[str, str | None]:
+    """Whose a file is: two students of one name are two where the LMS tells them apart."""
+    return student_of(name), identifier_of(name)
 
 
 def _files(path: Path) -> Iterator[tuple[str, bytes | RequestError]]:
@@ -140,7 +169,7 @@ def _archived(path: Path) -> Iterator[tuple[str, bytes | RequestError]]:
     except (zipfile.BadZipFile, OSError) as error:
         raise _unreadable("file_unreadable", path.name, reason=str(error)) from None
     with archive:
-        members = {entry.filename: entry for entry in archive.infolist() if not entry.is_dir()}
+        members = _members(archive)
         for name in _worth_a_line(list(members), path):
             try:
                 with archive.open(members[name]) as stream:
@@ -156,9 +185,9 @@ def _worth_a_line(names: Sequence[str], path: Path) -> list[str]:
         RequestError: they are too many.
     """
     tables = {name for name in names if _is_table(name)}
-    heard = {student_of(name) for name in tables}
+    heard = {_person(name) for name in tables}
     chosen = [
-        name for name in names if name in tables or (_is_handed_in(name) and student_of(name) not in heard)
+        name for name in names if name in tables or (_is_handed_in(name) and _person(name) not in heard)
     ]
     if len(chosen) > MOST_FILES:
         raise _unreadable("files_too_many", path.name, limit=MOST_FILES)

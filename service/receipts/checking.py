@@ -14,6 +14,8 @@ from service.receipts.receipt import Receipt, verify
 _START = "eyJhbGciOiJFZERTQSI"  # How every receipt begins: `{"alg":"EdDSA"` in base64url.
 _RECEIPT = re.compile(r"[\w-]+\.[\w-]+\.[\w-]{86}", re.ASCII)
 """Header, payload, and an Ed25519 signature of 64 bytes."""
+_BREAK = re.compile(r"=?\r?\n[> ]*")
+"""A line break of a mail: also a soft one (RFC 2045 §6.7) and one of a mail that is quoted."""
 _SHOWN = 200  # Characters of what is no receipt that are shown.
 
 
@@ -32,7 +34,7 @@ class CheckedReceipt:
 
 def receipts_in(text: str) -> list[str]:
     """Return the receipts in a text, such as a mail that broke them into lines; else the text itself."""
-    found = [_START + "".join(piece.split()) for piece in text.split(_START)[1:]]
+    found = [_START + piece for piece in "".join(_BREAK.sub("", text).split()).split(_START)[1:]]
     whole = [_RECEIPT.match(piece) for piece in found]
     pieces = [match[0] if match else piece[:_SHOWN] for match, piece in zip(whole, found, strict=True)]
     return pieces or [text.strip()[:_SHOWN]]

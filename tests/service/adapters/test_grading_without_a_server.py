@@ -143,6 +143,23 @@ def test_a_gradebook_has_no_line_for_nobody_and_keeps_what_an_exercise_is_worth(
             assert [row[4:] for row in found] == [["x"], ["2"], ["1"], [""]]
 
 
+def test_a_gradebook_has_the_best_of_a_students_answers() -> None:
+    """Notes beside a table, which cannot be graded, took the mark away."""
+    best = GradebookEntry(student="Ann", exercise="x", points=2, max_points=2, correct=True, source="b.csv")
+    worse = replace(best, points=1, correct=False, source="a.csv")
+    notes = replace(best, points=None, max_points=None, correct=False, source="notes.txt")
+    namesake = replace(worse, identifier="17")
+    for form, column in ((GradebookFormat.MOODLE, 2), (GradebookFormat.CANVAS, 4)):
+        stream = io.StringIO()
+        write_gradebook([worse, best, notes, namesake], stream, form)
+        found = list(csv.reader(io.StringIO(stream.getvalue())))
+        assert [row[column] for row in found][-2:] == ["2", "1"]
+        assert sum("Ann" in row for row in found) == 2
+    stream = io.StringIO()
+    write_gradebook([worse, best, notes, namesake], stream, GradebookFormat.CSV)
+    assert len(stream.getvalue().splitlines()) == 5
+
+
 @pytest.mark.parametrize("before", ["", "x;", "x; ", "x\t", "x\n", " "])
 def test_no_cell_of_a_gradebook_is_a_formula(before: str) -> None:
     """Nor one that a spreadsheet makes where a semicolon or a tab ends a cell, as in most of Europe."""

@@ -133,3 +133,11 @@ def test_receipts_are_found_in_mails_and_lists() -> None:
     assert receipts_in(mail) == [first, second]
     assert receipts_in(f"{first}\n{second}") == [first, second]
     assert receipts_in("nothing here") == ["nothing here"]
+
+
+@pytest.mark.parametrize("line_break", ["\n", "=\r\n", "\n> "])
+def test_a_receipt_is_found_wherever_a_mail_program_broke_it(line_break: str) -> None:
+    """The first letters of a receipt, too, may stand on the line before."""
+    receipt = issue(RECEIPT, KEYS)
+    broken = line_break.join((receipt[:9], receipt[9:70], receipt[70:]))
+    assert receipts_in(f"My receipt: {broken}{line_break}Ann") == [receipt]

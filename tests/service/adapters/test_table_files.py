@@ -218,6 +218,7 @@ def test_what_cannot_be_read_is_refused_with_its_code(name: str, content: bytes,
         ("doejane_123_456_table.csv", "doejane"),
         ("HW3_jdoe_attempt_2026-01-02-10-11-12_t.csv", "jdoe"),
         ("ann/table.csv", "ann"),
+        ("Jane Doe_12345_assignsubmission_file_/robot_1_2_final.csv", "Jane Doe"),
         ("bob.csv", "bob"),
     ],
 )
@@ -265,6 +266,38 @@ def test_a_damaged_member_is_one_students_and_not_the_classs(tmp_path: Path) -> 
             f"Participant {number}" for number in (11, 12, 13)
         ]
         assert count_files(archive) == 3
+
+
+def test_students_of_one_name_are_two(tmp_path: Path) -> None:
+    """The one whose file nobody can read had no line, because the other had handed in a table."""
+    archive = tmp_path / "class.zip"
+    with zipfile.ZipFile(archive, "w") as written:
+        written.writestr("Ann Lee_11_assignsubmission_file_/t.csv", GOOD)
+        written.writestr("Ann Lee_12_assignsubmission_file_/scan.pdf", b"%PDF")
+    found = list(hand_ins(archive, TableSettings()))
+    assert [hand_in.identifier for hand_in in found] == ["Participant 11", "Participant 12"]
+    assert count_files(archive) == 2
+
+
+def test_names_in_an_archive_made_on_a_mac_are_read_as_written(tmp_path: Path) -> None:
+    """It writes UTF-8 without the flag that says so, accents apart from their letters."""
+    archive, name = tmp_path / "class.zip", "Zoe\u0308_11_assignsubmission_file_/t.csv"
+    with zipfile.ZipFile(archive, "w") as written:
+        written.writestr(name.encode().decode("cp437"), GOOD)
+    content = archive.read_bytes()
+    with zipfile.ZipFile(archive) as read:
+        (entry,) = read.infolist()
+        raw = entry.filename.encode("utf-8")
+    plain = name.encode().replace(b"/t", b"/t".ljust(2 + len(raw) - len(name.encode()), b"t"))
+    content = content.replace(raw, plain)
+    flagged = ((b"PK\x03\x04", 6), (b"PK\x01\x02", 8))
+    for mark, offset in flagged:
+        at = content.find(mark) + offset
+        content = content[:at] + b"\0\0" + content[at + 2 :]
+    archive.write_bytes(content)
+    (hand_in,) = hand_ins(archive, TableSettings())
+    assert hand_in.student == "Zo\u00eb"
+    assert hand_in.found is not None
 
 
 def test_half_an_archive_is_said_to_be_none(tmp_path: Path) -> None:
