@@ -1,14 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Problem } from "../../../static/js/api.js";
+import { element } from "./silent-page.mjs";
 
-const element = () => ({ setAttribute() {}, appendChild() {}, replaceChildren() {} });
-globalThis.document = {
-  documentElement: { dataset: {}, lang: "en" },
-  createElement: element,
-  createTextNode: element,
-};
-globalThis.location = new URL("https://example.org/course");
 globalThis.HTMLElement = class {};
 globalThis.customElements = { define() {} };
 globalThis.matchMedia = () => ({ matches: false });

@@ -1,14 +1,8 @@
 import assert from "node:assert/strict";
 import { mock, test } from "node:test";
 import { Problem } from "../../../static/js/api.js";
+import "./silent-page.mjs";
 
-const element = () => ({ setAttribute() {}, appendChild() {}, replaceChildren() {} });
-globalThis.document = {
-  documentElement: { dataset: {}, lang: "en" },
-  createElement: element,
-  createTextNode: element,
-};
-globalThis.location = new URL("https://example.org/exercises/scara");
 const { CourseSession } = await import("../../../static/js/session/course-session.js");
 
 const START = Date.parse("2030-01-01T12:00:00Z");
