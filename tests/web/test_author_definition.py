@@ -5,7 +5,7 @@ import json
 import re
 import tomllib
 import zlib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +16,7 @@ from exercises.authoring.draft import ExerciseDraft, draft_of_files, exercise_of
 from exercises.library import packaged
 from exercises.parts.registry import part_types
 from tests.web.conftest import OpenPage, Watch
+from tests.web.driving import Held
 
 PATIENCE = 120_000
 GUIDE = (Path(__file__).parents[2] / "docs" / "authoring.md").read_text(encoding="utf-8")
@@ -42,10 +43,11 @@ def crane() -> dict[str, Any]:
     return {"id": "crane", "definition": tomllib.loads(text[1]), "statements": {"en": statement}}
 
 
-def opened(open_page: OpenPage, draft: dict[str, Any]) -> Page:
+def opened(open_page: OpenPage, draft: dict[str, Any], before: Callable[[Page], Any] | None = None) -> Page:
     """The page with a draft from its address."""
     packed = zlib.compress(json.dumps({"draft": draft, "source": None}).encode())
-    return open_page(f"/author#draft={base64.urlsafe_b64encode(packed).decode().rstrip('=')}")
+    address = f"/author#draft={base64.urlsafe_b64encode(packed).decode().rstrip('=')}"
+    return open_page(address, before=before)
 
 
 def leaves(value: Any, path: str = "definition") -> Iterator[str]:
@@ -200,6 +202,32 @@ def test_a_kind_that_shows_the_answer_to_another_is_not_ticked_beside_it(
     expect(table).to_be_disabled()
     tables.uncheck()
     expect(table).to_be_enabled()
+
+
+def test_a_draft_is_tested_once_it_is_known_to_be_good(open_page: OpenPage, watch: Watch) -> None:
+    """The tests of the draft before were about to start, and met one that had not been looked at."""
+    watch.allow("author/preview")
+    held: list[Held] = []
+    page = opened(open_page, started(), lambda page: held.append(Held(page, "**/author/preview")))
+    previews = held[0]
+    checks = Held(page, "**/author/check")
+    table = page.locator("#author-parts [data-part=table]")
+    previews.until(1)
+    previews.let_go()
+    expect(page.locator("#author-name")).not_to_be_empty(timeout=PATIENCE)
+    table.uncheck()
+    previews.until(1)
+    page.wait_for_timeout(2000)
+    assert checks.waiting == []
+    previews.let_go()
+    expect(page.locator(".author-selftest")).to_have_attribute("data-state", "refused", timeout=PATIENCE)
+    table.check()
+    previews.until(1)
+    previews.let_go()
+    checks.until(1)
+    previews.stop()
+    checks.stop()
+    expect(page.locator(".author-selftest")).to_have_attribute("data-state", "passed", timeout=PATIENCE)
 
 
 def test_a_box_that_brings_fields_keeps_the_focus(open_page: OpenPage) -> None:

@@ -10,12 +10,15 @@ import { tick } from "./fields.js";
 import { keepSample } from "./samples.js";
 
 const SEEDS = [null, 1, 2];
+/** Milliseconds without a change until a good draft is tested. */
+const REST = 1500;
 
 /** @typedef {import("./draft-store.js").DraftStore} DraftStore */
 
 /** The self-test: runs by itself once the draft rests, the usual values first. */
 export class SelfTest {
   #latest = new Latest();
+  #start = 0;
 
   /** @param {import("../api.js").Api} api @param {DraftStore} store */
   constructor(api, store) {
@@ -24,8 +27,15 @@ export class SelfTest {
     this.element = el("div", { class: "author-selftest", role: "status" });
   }
 
+  /** The draft is good as it stands: runs unless it changes first. */
+  soon() {
+    clearTimeout(this.#start);
+    this.#start = setTimeout(() => this.run(), REST);
+  }
+
   /** The draft has changed: what was said of it holds no more. */
   outdated() {
+    clearTimeout(this.#start);
     this.#latest.cancel();
     this.element.dataset.state = "waiting";
     fill(this.element, el("p", { class: "hint", text: t("author-test-waiting") }));

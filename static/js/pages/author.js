@@ -17,9 +17,8 @@ import { api, forgetFragment, startPage } from "../page.js";
 import { problemNotice } from "../problem.js";
 import { openSession } from "../session/course-session.js";
 
-/** Milliseconds without a change until the draft is looked at, and until it is tested. */
+/** Milliseconds without a change until the draft is looked at. */
 const REST = 350;
-const LONG_REST = 1500;
 
 /** @param {string} id */
 const $ = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
@@ -46,7 +45,6 @@ class AuthorPage {
     };
     this.handles = new DimensionHandles(this.store, $("author-dimension-handles"));
     this.look = debounced(() => this.#look(), REST);
-    this.test = debounced(() => this.selfTest.run(), LONG_REST);
   }
 
   build() {
@@ -97,6 +95,7 @@ class AuthorPage {
     if (!draft) return;
     if (whole) Object.values(this.sections).forEach((section) => section.fill());
     $("author-saved").textContent = t("author-saved");
+    this.#latest.cancel();
     this.selfTest.outdated();
     this.look();
   }
@@ -113,7 +112,7 @@ class AuthorPage {
       for (const section of Object.values(this.sections)) section.show(this.view);
       showFigure(this.view);
       this.handles.show(this.view.dimensions);
-      this.test();
+      this.selfTest.soon();
     } catch (error) {
       if (error instanceof Error && error.name === "AbortError") return;
       fill($("author-problem"), error instanceof Problem ? refusal(error.faults) : problemNotice(error));
