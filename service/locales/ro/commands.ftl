@@ -32,7 +32,7 @@ check-unneeded = Niciun răspuns corect nu are nevoie de { $name }: studentul po
     [none] Nicio regulă nu schimbă acest lucru: scoateți-o din enunț.
    *[other] Dacă răspunsul trebuie să o conțină, este suficientă oricare dintre aceste reguli: { $rules }. Altfel, scoateți-o din enunț.
 }
-check-alike = Unii studenți pot inversa { $name } și { $other } în numere fără să se observe: diferă cu cel mult 1 %. Alegeți valori sau intervale mai îndepărtate.
+check-alike = Unii studenți pot schimba între ele numerele lui { $name } și { $other } fără să se observe: diferă cu cel mult 1 %. Alegeți valori sau intervale mai îndepărtate.
 check-taken_by_slide = În rândul cuplei { $joint }, { $name } sub d este variabila cuplei, nu cota. Cine alege sisteme de coordonate în care cota apare acolo nu o poate scrie. Dați-i alt nume.
 check-taken_by_short_form = Acolo unde răspunsul este o formulă, { $name } este un cosinus sau un sinus, nu cota. Dați-i alt nume.
 check-no_joints = Robotul nu are nicio cuplă: nu este nimic de descris. Puneți una într-un rând al tabelului.

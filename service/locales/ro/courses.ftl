@@ -35,7 +35,7 @@ error-attempts_used = { $allowed ->
 }
 error-exercise_changed = Exercițiul a fost modificat după ce ați deschis această pagină și nu s-a predat nimic. Reîncărcați pagina: ce ați scris este în continuare acolo.
 error-settings_changed = Modificările nu au fost salvate: altcineva a salvat alte reguli după ce ați deschis această pagină. Reîncărcați pagina și consultați-le.
-error-regrading_outdated = Nu s-a aplicat nimic: exercițiul sau regulile legăturii s-au schimbat de când au fost calculate aceste punctaje sau s-au aplicat altele. Notați din nou.
+error-regrading_outdated = Nu s-a aplicat nimic: exercițiul sau regulile legăturii s-au schimbat de când au fost calculate aceste note sau s-au aplicat altele. Notați din nou.
 error-setting_invalid = { $name } poate fi: { $known }.
 error-closes_before_opening = Exercițiul s-ar închide înainte de a se deschide.
 error-session_expired = Nu mai sunteți autentificat. Ce ați scris este încă aici: deschideți din nou exercițiul din cursul dumneavoastră.

@@ -77,8 +77,8 @@ rule-direction-figure = Variabilele cuplelor sunt pozitive în sensul săgețilo
 
 task-schematic = Descrieți structura: tipul fiecărei cuple și cum este așezată axa fiecărei cuple față de axa următoarei.
 task-table = Alegeți sistemele de coordonate și scrieți tabelul DH. Celulele pot conține { $names }, numere și variabilele cuplelor q1 … q{ $n }.
-task-link-matrices = Pentru fiecare rând al tabelului, scrieți matricea de la sistemul i la sistemul i−1. Puteți prescurta cos(q1) ca c1 și sin(q1 + q2) ca s12.
-task-transform = Scrieți ⁰T, matricea de la ultimul sistem la sistemul 0, în formă închisă.
+task-link-matrices = Pentru fiecare rând al tabelului, scrieți matricea elementului, adică situarea sistemului i în sistemul i−1. Puteți prescurta cos(q1) ca c1 și sin(q1 + q2) ca s12.
+task-transform = Scrieți ⁰T, situarea ultimului sistem în sistemul 0, în formă închisă.
 task-pose = Evaluați ⁰T pentru { $joints } și pentru cotele date aici, cu lungimile în { unit-word }.
 task-workspace-axis = Cât de aproape de axa cuplei 1 poate fi adus { $point } și cât de departe de ea? { $limits ->
     [none] Fiecare cuplă poate lua orice valoare.
@@ -109,7 +109,7 @@ feedback-matrices_product_wrong = Înmulțite între ele, matricele elementelor 
 feedback-matrix_missing = Lipsește matricea { $matrix }.
 feedback-matrix_wrong = Matricea { $matrix } nu corespunde rândului { $matrix } din tabel.
 feedback-matrix_cells_wrong = Matricea { $matrix } diferă de rândul { $matrix } din tabel în aceste celule (rând,coloană): { $cells }.
-feedback-matrix_inverse = Matricea { $matrix } este inversată: duce de la sistemul i−1 la sistemul i.
+feedback-matrix_inverse = Matricea { $matrix } este inversată: este situarea sistemului i−1 în sistemul i.
 feedback-matrix_rotation_transposed = Rotația din matricea { $matrix } este transpusă.
 feedback-matrix_other_convention = Matricea { $matrix } a fost formată după regula celeilalte convenții.
 feedback-matrix_without_variable = Matricea { $matrix } a fost scrisă pentru variabila cuplei egală cu zero; păstrați variabila.
@@ -124,7 +124,7 @@ feedback-transform_rotation_right = Rotația din ⁰T este corectă.
 feedback-transform_position_right = Poziția din ⁰T este corectă.
 feedback-transform_cells_wrong = ⁰T diferă de tabelul dumneavoastră în aceste celule (rând,coloană): { $cells }.
 feedback-transform_not_rigid = ⁰T nu este o mișcare rigidă: coloanele nu sunt versori perpendiculari, sau formează un triedru stâng (determinant −1), sau ultimul rând nu este 0 0 0 1.
-feedback-transform_inverse = Aceasta este inversa lui ⁰T: duce de la sistemul 0 la ultimul sistem.
+feedback-transform_inverse = Aceasta este inversa lui ⁰T: situarea sistemului 0 în ultimul sistem.
 feedback-transform_rotation_transposed = Rotația din ⁰T este transpusă.
 feedback-transform_order_reversed = Matricele elementelor au fost înmulțite în ordine inversă.
 feedback-transform_links_missing = Acesta este produsul doar până la sistemul { $last }; continuați până la ultimul sistem.
@@ -229,7 +229,7 @@ error-variants_too_many =
         [few] { $limit } variante
        *[other] { $limit } de variante
     }.
-error-tolerance_out_of_range = { $name } este între 0 și 0.1.
+error-tolerance_out_of_range = { $name } este între 0 și 0,1.
 error-name_invalid = { $name } nu este numele unei cote; un nume arată ca L1.
 error-width_out_of_range = Lățimea este între 320 și 960.
 error-unknown_point = Nu există punctul { $name }. Disponibile: { $known }.

@@ -96,15 +96,15 @@ repair-twists_early = Coloana α este cu un rând prea sus; a este la locul ei. 
 repair-columns_exchanged = Coloanele { $one } și { $other } sunt schimbate între ele. Comparați ordinea coloanelor cu cea din notițe.
 repair-columns_reordered = Ce stă sub α ține de { $alpha }, ce stă sub a ține de { $a }, iar ce stă sub d ține de { $d }. Comparați ordinea coloanelor cu cea din notițe.
 repair-parameter_misnamed = { $name } nu este o cotă a acestui robot. La care cotă din figură vă referiți?
-repair-parameters_swapped = { $name } și { $other } sunt inversate. Comparați-le cu figura.
+repair-parameters_swapped = { $name } și { $other } sunt schimbate între ele. Comparați-le cu figura.
 repair-alpha_sign = Rândul { $row }: α are semnul greșit. Rotiți z{ $before } peste z{ $row } în jurul lui x, după regula mâinii drepte.
 repair-alpha_value = Rândul { $row }: α are o valoare greșită. Priviți din nou cum stau z{ $before } și z{ $row } una față de alta.
 repair-turns_all_reversed = Toate unghiurile cuplelor cresc în sensul greșit. Rotiți în jurul lui z cu mâna dreaptă, nu cu stânga.
 repair-twists_all_reversed = Toate unghiurile α au semnul greșit. Rotiți o axă z peste următoarea în jurul lui x cu mâna dreaptă, nu cu stânga.
 repair-a_sign = Rândul { $row }: a are semnul greșit. Se măsoară în sensul lui x.
 repair-d_sign = Rândul { $row }: d are semnul greșit. Se măsoară în sensul lui z.
-repair-twists_swapped = Rândurile { $row } și { $other }: valorile lui α sunt inversate între ele.
-repair-a_d_swapped = Rândul { $row }: a și d sunt inversate. a se măsoară de-a lungul lui x, d de-a lungul lui z.
+repair-twists_swapped = Rândurile { $row } și { $other }: valorile lui α sunt schimbate între ele.
+repair-a_d_swapped = Rândul { $row }: a și d sunt schimbate între ele. a se măsoară de-a lungul lui x, d de-a lungul lui z.
 repair-a_value = Rândul { $row }: a are o valoare greșită. Măsurați pe perpendiculara comună a axelor z{ $before } și z{ $row }.
 repair-a_missing = Rândul { $row }: a nu ar trebui să fie zero, deoarece z{ $before } și z{ $row } nu se intersectează.
 repair-a_not_zero = Rândul { $row }: a ar trebui să fie zero, deoarece z{ $before } și z{ $row } se intersectează sau coincid.
@@ -125,7 +125,7 @@ repair-joint_type = Rândul { $row }: această cuplă { $joint_type ->
 }.
 repair-joint_fixed = Rândul { $row }: această cuplă se mișcă; variabila ei lipsește.
 repair-joint_moving = Rândul { $row }: aici nu se mișcă nimic; rândul are numai constante.
-repair-rows_swapped = Rândurile { $row } și { $other } sunt inversate.
+repair-rows_swapped = Rândurile { $row } și { $other } sunt schimbate între ele.
 repair-fixed_row_missing = Lipsește un ultim rând fără variabilă: cel care duce de la ultima cuplă la punctul marcat sau la ultimul sistem impus.
 repair-row_missing = Lipsește un rând { $after ->
     [0] înaintea rândului 1

@@ -340,7 +340,7 @@ form-second-x-turned = O axă x este orientată altfel, deci variabila cuplei ei
 form-second-origin-moved = O origine se află în alt punct al axei sale.
 form-second-none = Regulile acestui exercițiu nu lasă alt tabel.
 
-form-ghost-label = Robotul dumneavoastră, ca o fantomă peste cel al exercițiului
+form-ghost-label = Robotul dumneavoastră, transparent, peste cel al exercițiului
 form-ghost-text = Robotul exercițiului este gri și portocaliu, al dumneavoastră roșu transparent. Amândoi fac aceeași mișcare. Sistemul marcat { $row }, cel al rândului { $row }, este primul care se desprinde de robotul exercițiului.
 form-ghost-description = Robotul dumneavoastră coincide cu cel al exercițiului înainte de sistemul { $row }, care este marcat: acolo se despart.
 form-ghost-later = În acest moment se verifică atât de multe răspunsuri, încât încă nu s-a desenat unde se desprinde robotul dumneavoastră de cel al exercițiului.
@@ -356,15 +356,15 @@ form-part-missing = nepredat
 form-part-empty = Aici nu este scris încă nimic.
 form-submit-part = Verifică această parte
 form-points-for = Un tabel greșit primește puncte pentru torsiunile, lungimile și decalajele corecte pe care un tabel de zerouri nu le-ar avea. Cel mai mult costă o cuplă care lipsește sau are tipul greșit, cel mai puțin un semn greșit.
-form-help-steps = pas cu pas
+form-help-steps = câte o indicație
 form-help-principle = Principiul.
 form-help-worked = Un pas rezolvat, pe alt robot.
-form-help-next = Următorul pas al ajutorului vine cu următorul răspuns, după ce l-ați schimbat.
+form-help-next = Pentru următoarea indicație, modificați răspunsul și verificați-l din nou.
 form-principle-twist = Torsiunea α duce o axă z în următoarea, privită de-a lungul axei x, care este perpendiculară pe amândouă. Axele z paralele au 0° sau 180°, cele perpendiculare 90° sau −90°; mâna dreaptă, cu degetul mare după x, dă semnul.
 form-principle-length = Lungimea a este distanța dintre două axe z vecine, măsurată pe perpendiculara lor comună, care este axa x. Este 0 dacă și numai dacă cele două drepte se intersectează.
 form-principle-offset = Decalajul d este distanța de-a lungul unei axe z între picioarele a două perpendiculare comune: cea de la axa dinainte și cea spre axa următoare. Între axe paralele puteți alege unde stă perpendiculara, dar o singură dată.
 form-principle-joint = O cuplă de rotație se rotește în jurul axei sale z: variabila este θ. O cuplă de translație alunecă de-a lungul ei: variabila este d. Fiecare cuplă are un rând, în ordine de la bază la sculă.
-form-worked-twist = Un umăr a cărui primă axă este verticală, iar a doua orizontală: cele două axe z sunt perpendiculare. Cu x spre dumneavoastră, mâna dreaptă duce z vertical în cel orizontal cu −90° sau 90°, după sensul ales pentru z; deci α = −90° sau 90°, niciodată 0.
+form-worked-twist = Un umăr a cărui primă axă este verticală, iar a doua orizontală: cele două axe z sunt perpendiculare. Cu x spre dumneavoastră, mâna dreaptă rotește axa z verticală peste cea orizontală cu −90° sau 90°, după sensul ales pentru z; deci α = −90° sau 90°, niciodată 0.
 form-worked-length = Două elemente într-un plan, de 0,4 m și 0,3 m: ambele axe sunt verticale, la 0,4 m una de alta. Perpendiculara lor comună este primul element, deci a = 0,4 m. La o încheietură ale cărei axe se intersectează într-un punct, fiecare a este 0.
 form-worked-offset = Un umăr se află la 0,2 m lateral de prima axă, verticală, iar a doua axă este orizontală. De-a lungul celei de-a doua axe sunt 0,2 m între piciorul perpendicularei de la prima și cel al perpendicularei spre a treia: d = 0,2 m, în rândul celei de-a doua cuple.
 form-worked-joint = Un portal își mișcă căruciorul pe o șină și rotește prehensorul de sub el. Șina este o cuplă de translație: rândul ei are variabila în d și un număr în θ. Prehensorul este o cuplă de rotație: variabila în θ și un număr în d.
@@ -378,7 +378,7 @@ form-sharing-may = Studenții pot folosi
 form-sharing-catalogue = catalogul de roboți
 form-sharing-playground = atelierul
 form-sharing-matrices = matricele propriului tabel
-form-sharing-trainer = antrenorul de sisteme de coordonate
+form-sharing-trainer = exersarea sistemelor de coordonate
 form-sharing-help = Ce li se spune despre un răspuns greșit
 form-sharing-attempts = Încercări
 form-sharing-link = Creează o legătură
@@ -399,9 +399,9 @@ form-frames-frame = Sistemul { $frame }
 form-frames-z = z arată
 form-frames-origin = Originea
 form-frames-x = x arată
-form-frames-z-of = z al sistemului { $frame }
+form-frames-z-of = axa z a sistemului { $frame }
 form-frames-origin-of = originea sistemului { $frame }
-form-frames-x-of = x al sistemului { $frame }
+form-frames-x-of = axa x a sistemului { $frame }
 form-frames-ends = unde se află primul și ultimul sistem
 form-frames-typed = scris …
 form-frames-at-joint = la corpul cuplei { $joint }

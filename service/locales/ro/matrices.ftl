@@ -18,7 +18,7 @@ given-matrix-with-mistake =
 
 task-matrix-mistake =
     { $matrix ->
-        [link] Tabelul este corect. Cineva a scris matricea rândului { $row }, de la sistemul { $row } la cel dinainte, și a făcut o greșeală.
+        [link] Tabelul este corect. Cineva a scris matricea rândului { $row }, situarea sistemului { $row } în cel dinainte, și a făcut o greșeală.
        *[transform] Tabelul este corect. Cineva a scris ⁰T_N, produsul tuturor matricelor sale, și a făcut o greșeală.
     } Dați un element greșit, spuneți ce nu este bine și scrieți întreaga matrice așa cum ar trebui să fie.
 
@@ -44,15 +44,15 @@ option-origin_not_at_intersection = originea nu este în punctul de intersecție
 option-x_not_across_z = x nu este perpendiculară pe z
 option-x_not_along_common_normal = x nu este de-a lungul perpendicularei comune
 option-x_not_across_both_axes = x nu este perpendiculară pe ambele axe
-option-first_x_misses_axis = x al primului sistem nu intersectează axa 1 în unghi drept
-option-last_x_misses_axis = x al ultimului sistem nu intersectează ultima axă în unghi drept
+option-first_x_misses_axis = axa x a primului sistem nu intersectează axa 1 în unghi drept
+option-last_x_misses_axis = axa x a ultimului sistem nu intersectează ultima axă în unghi drept
 option-y_left_handed = sistemul este stâng: y nu este z × x
 given-drawn-frames = Sistemele de coordonate așa cum sunt desenate
 
 task-frame-mistake =
     { $convention ->
-        [standard] Sistemele de coordonate din figură ar trebui să respecte convenția standard, cu z al sistemului i de-a lungul cuplei i+1
-       *[modified] Sistemele de coordonate din figură ar trebui să respecte convenția modificată, cu z al sistemului i de-a lungul cuplei i
+        [standard] Sistemele de coordonate din figură ar trebui să respecte convenția standard, cu axa z a sistemului i de-a lungul cuplei i+1
+       *[modified] Sistemele de coordonate din figură ar trebui să respecte convenția modificată, cu axa z a sistemului i de-a lungul cuplei i
     }, dar unul dintre ele are o greșeală. Care sistem este greșit, ce este greșit la el și cum ar trebui să stea? Punctele și direcțiile sunt date în coordonatele figurii; lungimea unei direcții nu contează. { figure-place }
 
 feedback-frame_mistake_place_wrong = Acest sistem este corect; greșeala este în altul.

@@ -1,8 +1,8 @@
 # Antrenorul de sisteme de coordonate.
 
-trainer-title = Antrenor de sisteme de coordonate
+trainer-title = Exersarea sistemelor de coordonate
 trainer-heading = Atașați sistemele de coordonate
-trainer-lead = Sistem cu sistem, în ordinea cursului: toate axele z, perpendicularele comune, originile, toate axele x. Fiecare pas se verifică la sfârșit; apoi se citește tabelul DH.
+trainer-lead = Sistem cu sistem, în ordinea în care se predă: toate axele z, perpendicularele comune, originile, toate axele x. Fiecare pas se verifică la sfârșit; apoi se citește tabelul DH.
 trainer-back = Înapoi la exercițiu
 trainer-frames = Sisteme de coordonate
 trainer-table = Tabelul care rezultă
@@ -33,9 +33,9 @@ trainer-candidate-base = ca în sistemul bazei dat
 trainer-candidate-tool = ca în sistemul sculei dat
 trainer-candidate-coordinates =
     { $axis ->
-        [1] de-a lungul lui X al coordonatelor figurii
-        [2] de-a lungul lui Y al coordonatelor figurii
-        [3] de-a lungul lui Z al coordonatelor figurii
+        [1] de-a lungul axei X a figurii
+        [2] de-a lungul axei Y a figurii
+        [3] de-a lungul axei Z a figurii
        *[other] originea coordonatelor figurii
     }
 trainer-candidate-axis = de-a lungul axei { $axis }
@@ -61,8 +61,8 @@ trainer-restart = Începe din nou
 trainer-step-done = Acest pas este corect.
 trainer-why-z =
     Fiecare z este de-a lungul axei cuplei sale: { $convention ->
-        [standard] z al sistemului i−1 de-a lungul axei i, deoarece rândul i rotește cu θ în jurul lui z al sistemului i−1 și deplasează cu d de-a lungul lui.
-       *[modified] z al sistemului i de-a lungul axei i, deoarece rândul i se încheie cu θ în jurul lui z al sistemului i și cu d de-a lungul lui.
+        [standard] axa z a sistemului i−1 de-a lungul axei i, deoarece rândul i rotește cu θ în jurul axei z a sistemului i−1 și deplasează cu d de-a lungul ei.
+       *[modified] axa z a sistemului i de-a lungul axei i, deoarece rândul i se încheie cu θ în jurul axei z a sistemului i și cu d de-a lungul ei.
     }
 trainer-why-origin = Fiecare origine este acolo unde perpendiculara comună întâlnește axa ei, deoarece de acolo se măsoară a de-a lungul lui x.
 trainer-why-x = Fiecare x este pe o perpendiculară comună sau perpendiculară pe ambele axe, deoarece a și α se măsoară de-a lungul și în jurul ei.
