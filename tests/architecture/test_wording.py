@@ -123,6 +123,11 @@ TERMS: dict[str, dict[str, str]] = {
         r"\blinkuri|[Gg]ripper\w*|\btaie\b": "legături; prehensor; intersectează",
         r"\b[Pp]oziția din (?:figură|desen)": "configurația din figură",
         r"\b[Cc]entrifugal\w*|\b[Rr]eper\w*|\bculisant\b": "centrifug; sistem de coordonate; braț telescopic",
+        r"\b[Aa]ntrenor\w*|[Bb]raț\w* superior|[Aa]xe(?:le)? elicoidale": "exersare; braț; torsori",
+        r"\b[XZxz] al (?:sistemului|primului|ultimului|acestui)": "axa x a sistemului",
+        r"inversa\w+ între|(?:cote|rânduri|și \S+ sunt) inversate": "schimbate între ele",
+        r"(?<!și )\b[Ff]orțe(?:le)? din cuple": "momentele și forțele din cuple",
+        r"\bmatricea de la|duce de la sistemul": "situarea unui sistem în altul",
     },
     "uk": {
         r"[Кк]онвенц\w+": "угода",
@@ -136,6 +141,8 @@ TERMS: dict[str, dict[str, str]] = {
         r"\b[Зз]апит(?:ується|ува\w+|ан(?:о|і|их|ий|а))\b": "потрібно подати",
         r"[Пп]оложенн\w на рисунку": "конфігурація на рисунку",
         r"зустріча\w+ (?:вісь|осі)|[Пп]ри \d": "перетинає вісь; якщо … дорівнює",
+        r"[Мм]атриц\w+ переходу|[Гг]винтов\w+ ос": "поза системи в іншій; гвинти зчленувань",
+        r"[Зз]усилл\w+ [ву] |(?<!й )\b[Сс]ил\w+ [ву] зчленуван": "моменти й сили у зчленуваннях",
     },
 }
 """What is not said, and what is said instead: one term for one thing."""

@@ -7,9 +7,9 @@ problem-title-409 = Зараз неможливо
 ## Сховище
 
 error-storage_folder = Теку даних { $folder } неможливо використати: { $reason }. Задайте у FRAMEWISE_DATA_FOLDER теку, доступну для запису, або FRAMEWISE_STORAGE=off.
-error-storage_address = FRAMEWISE_DATABASE_URL не називає бази даних PostgreSQL. Вона має вигляд postgresql://користувач:пароль@сервер/база.
+error-storage_address = FRAMEWISE_DATABASE_URL не називає бази даних PostgreSQL. Потрібна адреса вигляду postgresql://користувач:пароль@сервер/база.
 error-storage_unusable = Базу даних { $location } неможливо використати: { $reason }.
-error-storage_unavailable = База даних зараз не відповідає. Усе підтверджене раніше збережено. Надішліть це ще раз за кілька секунд.
+error-storage_unavailable = База даних зараз не відповідає. Усе підтверджене раніше збережено. Надішліть це ще раз через кілька секунд.
 error-storage_missing = За адресою { $location } немає бази даних. FRAMEWISE_DATA_FOLDER або FRAMEWISE_DATABASE_URL має вказувати базу даних служби.
 error-schema_newer = Дані записала новіша версія програми (схема { $found }; ця версія знає { $known }). Установіть новішу версію.
 error-storage_not_empty = Резервну копію відновлюють лише в порожню базу даних; у відношенні { $table } вже є рядки.
@@ -29,13 +29,14 @@ error-record_unknown = { $kind ->
 error-attempts_not_open = Спроби приймаються з { TIME($opens) } UTC.
 error-attempts_closed = Вправу закрито: { TIME($closes) } UTC.
 error-attempts_used = { $allowed ->
+    [1] Використано єдину спробу, яку дозволяє ця вправа.
     [one] Використано { $allowed } спробу — усі, що дозволяє ця вправа.
     [few] Використано { $allowed } спроби — усі, що дозволяє ця вправа.
    *[other] Використано { $allowed } спроб — усі, що дозволяє ця вправа.
 }
 error-exercise_changed = Вправу змінено після того, як ви відкрили цю сторінку, і нічого не здано. Оновіть сторінку: те, що ви ввели, збережено.
 error-settings_changed = Ваші зміни не збережено: хтось інший зберіг інші правила після того, як ви відкрили цю сторінку. Оновіть сторінку й перегляньте їх.
-error-regrading_outdated = Нічого не застосовано: вправа або правила посилання змінилися після обчислення цих балів, або застосовано інші бали. Оцініть знову.
+error-regrading_outdated = Нічого не застосовано: вправа або правила посилання змінилися після обчислення цих оцінок, або застосовано інші оцінки. Оцініть знову.
 error-setting_invalid = { $name } може бути: { $known }.
 error-closes_before_opening = Вправа закрилася б раніше, ніж відкрилася.
 error-session_expired = Ваш сеанс завершився. Введене вами збережено на цій сторінці: відкрийте вправу з курсу ще раз.

@@ -81,8 +81,8 @@ rule-direction-figure = Змінні зчленувань додатні в на
 
 task-schematic = Опишіть структуру: тип кожного зчленування і те, як вісь кожного зчленування розташована відносно осі наступного.
 task-table = Оберіть системи координат і запишіть таблицю DH. Клітинки можуть містити { $names }, числа та змінні зчленувань q1 … q{ $n }.
-task-link-matrices = Для кожного рядка вашої таблиці запишіть матрицю переходу від системи i до системи i−1. Можна скорочувати cos(q1) до c1, а sin(q1 + q2) до s12.
-task-transform = Запишіть ⁰T, матрицю переходу від останньої системи до системи 0, у замкненому вигляді.
+task-link-matrices = Для кожного рядка вашої таблиці запишіть матрицю ланки: позу системи i у системі i−1. Можна скорочувати cos(q1) до c1, а sin(q1 + q2) до s12.
+task-transform = Запишіть ⁰T, позу останньої системи в системі 0, у замкненому вигляді.
 task-pose = Обчисліть вашу ⁰T для { $joints } і поданих тут розмірів; довжини в { unit-word }.
 task-workspace-axis = На яку найменшу і на яку найбільшу відстань від осі зчленування 1 можна відвести { $point }? { $limits ->
     [none] Кожне зчленування може набувати будь-якого значення.
@@ -113,7 +113,7 @@ feedback-matrices_product_wrong = Перемножені між собою, ва
 feedback-matrix_missing = Немає матриці { $matrix }.
 feedback-matrix_wrong = Матриця { $matrix } не відповідає рядку { $matrix } вашої таблиці.
 feedback-matrix_cells_wrong = Матриця { $matrix } відрізняється від рядка { $matrix } вашої таблиці в таких клітинках (рядок,стовпець): { $cells }.
-feedback-matrix_inverse = Матрицю { $matrix } обернено: вона веде від системи i−1 до системи i.
+feedback-matrix_inverse = Матрицю { $matrix } обернено: це поза системи i−1 у системі i.
 feedback-matrix_rotation_transposed = Поворот у матриці { $matrix } транспоновано.
 feedback-matrix_other_convention = Матрицю { $matrix } складено за правилом іншої угоди.
 feedback-matrix_without_variable = Матрицю { $matrix } записано для нульового значення змінної; збережіть змінну.
@@ -128,7 +128,7 @@ feedback-transform_rotation_right = Поворот у ⁰T правильний.
 feedback-transform_position_right = Положення в ⁰T правильне.
 feedback-transform_cells_wrong = ⁰T відрізняється від вашої таблиці в таких клітинках (рядок,стовпець): { $cells }.
 feedback-transform_not_rigid = ⁰T не є рухом твердого тіла: її стовпці не є взаємно перпендикулярними одиничними векторами, або вони утворюють ліву трійку (визначник −1), або останній рядок не 0 0 0 1.
-feedback-transform_inverse = Це матриця, обернена до ⁰T: вона веде від системи 0 до останньої системи.
+feedback-transform_inverse = Це матриця, обернена до ⁰T: поза системи 0 в останній системі.
 feedback-transform_rotation_transposed = Поворот у ⁰T транспоновано.
 feedback-transform_order_reversed = Матриці ланок перемножено у зворотному порядку.
 feedback-transform_links_missing = Це добуток лише до системи { $last }; продовжіть до останньої системи.
@@ -228,7 +228,7 @@ error-draw_too_large =
        *[other] { $limit } значень
     }.
 error-variants_too_many = Варіантів щонайбільше { $limit }.
-error-tolerance_out_of_range = { $name } лежить між 0 і 0.1.
+error-tolerance_out_of_range = { $name } лежить між 0 і 0,1.
 error-name_invalid = { $name } не є назвою розміру; назва має вигляд L1.
 error-width_out_of_range = Ширина лежить між 320 і 960.
 error-unknown_point = Немає точки { $name }. Є такі: { $known }.
@@ -262,7 +262,10 @@ rule-dimension-free = { $names } не мусить бути у вашій таб
 error-context_invalid = Це посилання створено не тут, або його змінено.
 error-context_expired = Термін дії цього посилання минув.
 error-switched_off = { $path } вимкнено для цієї вправи.
-error-attempts_used_up = Усі спроби ({ $limit }) використано.
+error-attempts_used_up = { $limit ->
+    [1] Єдину спробу використано.
+   *[other] Усі спроби ({ $limit }) використано.
+}
 error-ladder_falls = На кожній спробі можна сказати стільки ж, як на попередній, або більше, але не менше.
 task-frames = Розмістіть системи координат 0–{ $n } на роботі так, як його показано на рисунку: для кожної початок, у { unit-word } і в координатах рисунка, та напрями x і z. { figure-place }
 error-frames_count = Є системи від 0 до N: потрібно { $expected }, дано { $given }.

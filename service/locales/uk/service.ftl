@@ -45,7 +45,7 @@ error-body_too_large =
         [few] { $limit } байти
        *[other] { $limit } байтів
     } — найбільше, що читає цей виклик.
-error-method_not_allowed = Ця адреса знає { $allowed }, але не { $method }.
+error-method_not_allowed = Ця адреса підтримує { $allowed }, але не { $method }.
 error-address_unknown = За адресою { $path } нічого немає. Усі виклики перелічено в документі /api/v1/openapi.json.
 error-problem_unknown = Жодна відмова не має коду { $code }.
 error-internal_error = Служба не змогла виконати цей запит. Повідомте про це, вказавши ідентифікатор { $id }.
@@ -132,14 +132,14 @@ error-api_key_missing = У запиті немає ключа. Надішліт�
 error-api_key_invalid = Цей ключ тут невідомий, прострочений або відкликаний.
 error-api_key_scope = Цей ключ призначено для { $scopes }; виклик потребує { $needed }.
 error-idempotency_key_length = Idempotency-Key має від 1 до { $limit } символів.
-error-idempotency_key_in_use = Запит із цим Idempotency-Key ще виконується. Спробуйте знову за секунду.
+error-idempotency_key_in_use = Запит із цим Idempotency-Key ще виконується. Спробуйте знову через секунду.
 error-idempotency_key_reused = Цей Idempotency-Key уже використано для іншого запиту. Для нового запиту візьміть новий ключ.
 error-rate_exceeded =
     Перевищено межу в { $limit ->
         [one] { $limit } одиницю
         [few] { $limit } одиниці
        *[other] { $limit } одиниць
-    } вартості за хвилину. Спробуйте ще раз за { $seconds } с.
+    } вартості за хвилину. Спробуйте ще раз через { $seconds } с.
 error-setting_missing = Бракує налаштування { $name }.
 problem-title-429 = Забагато запитів
 error-quaternion_or_axis = Задайте щонайбільше одне з «quaternion» і «axis».
