@@ -34,7 +34,7 @@ error-attempts_used = { $allowed ->
 }
 error-exercise_changed = O exercício foi alterado depois de ter aberto esta página e nada foi entregue. Recarregue a página: o que escreveu continua lá.
 error-settings_changed = As suas alterações não foram guardadas: outra pessoa guardou outras regras depois de ter aberto esta página. Recarregue a página e veja-as.
-error-regrading_outdated = Nada foi aplicado: o exercício ou as regras da ligação mudaram desde que estas pontuações foram calculadas, ou foram aplicadas outras. Volte a classificar.
+error-regrading_outdated = Nada foi aplicado: o exercício ou as regras da ligação mudaram desde que estas classificações foram calculadas, ou foram aplicadas outras. Volte a classificar.
 error-setting_invalid = { $name } pode ser: { $known }.
 error-closes_before_opening = O exercício fecharia antes de abrir.
 error-session_expired = A sua sessão terminou. O que escreveu continua aqui: volte a abrir o exercício a partir da sua disciplina.

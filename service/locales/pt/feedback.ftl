@@ -34,7 +34,7 @@ feedback-joint_count_wrong = { $given ->
     [1] A sua tabela tem uma junta
    *[other] A sua tabela tem { $given } juntas
 }; o robô tem { $asked }.
-feedback-mirrored = A sua tabela descreve a imagem do robô num espelho: todos os comprimentos e ângulos conferem, mas um deles é contado ao contrário. Confira os sinais com a regra da mão direita.
+feedback-mirrored = A sua tabela descreve a imagem do robô num espelho: todos os comprimentos e ângulos conferem, mas um deles mede-se no sentido contrário. Confira os sinais com a regra da mão direita.
 feedback-entries_imprecise = Nenhum comprimento nem ângulo da sua tabela difere mais do que o arredondamento explica, mas todos os arredondamentos juntos ultrapassam o que o exercício permite. Escreva os ângulos de forma exata, como pi/2 ou 90°, e os comprimentos com mais algarismos.
 feedback-lengths_rounded = Vários comprimentos da sua tabela têm o valor certo, mas com algarismos a menos. Escreva-os com mais algarismos; os outros erros aqui indicados não vêm do arredondamento.
 feedback-base_axis_missed = O seu z0 não está sobre o eixo da junta 1.

@@ -18,7 +18,7 @@ given-matrix-with-mistake =
 
 task-matrix-mistake =
     { $matrix ->
-        [link] A tabela está certa. Alguém escreveu a matriz da sua linha { $row }, do referencial { $row } para o anterior, e cometeu um erro.
+        [link] A tabela está certa. Alguém escreveu a matriz da sua linha { $row }, a pose do referencial { $row } no anterior, e cometeu um erro.
        *[transform] A tabela está certa. Alguém escreveu ⁰T_N, o produto de todas as suas matrizes, e cometeu um erro.
     } Dê um elemento errado, diga o que está errado nele e escreva a matriz inteira como deveria ser.
 

@@ -2,7 +2,7 @@
 
 trainer-title = Treino de referenciais
 trainer-heading = Atribua os referenciais
-trainer-lead = Referencial a referencial, pela ordem da aula: todos os eixos z, as normais comuns, as origens, todos os eixos x. Cada passo é verificado no fim; depois lê-se a tabela DH.
+trainer-lead = Referencial a referencial, pela ordem em que se ensina: todos os eixos z, as normais comuns, as origens, todos os eixos x. Cada passo é verificado no fim; depois lê-se a tabela DH.
 trainer-back = Voltar ao exercício
 trainer-frames = Referenciais
 trainer-table = A tabela que resulta
