@@ -34,7 +34,7 @@ check-nothing_earned = Ninguna tabla incorrecta obtiene puntos: no tiene peso na
 check-asked_as_shown = La parte { $kind } muestra lo que pide. Pida otra cosa o muéstrelo en otra forma.
 check-gravity_not_down = En la figura, la gravedad que da la parte { $kind } no apunta hacia abajo. Gire el sistema 0 con upright o cambie gravity.
 check-frames_coincide = En la figura de la parte { $kind }, dos sistemas de referencia tienen el mismo origen porque una articulación prismática entre ellos está dibujada en cero. Dele otro valor en posture.
-check-limits_ambiguous = La respuesta a la parte { $kind } depende del sentido en que crece una articulación con límites, que se elige libremente. Fije los sentidos (figure) o elija límites con los que eso no importe.
+check-limits_ambiguous = La respuesta a la parte { $kind } depende del sentido en que crece la variable de una articulación con límites, y ese sentido se elige libremente. Fije los sentidos (figure) o elija límites con los que eso no importe.
 warm-counts = { $exercise }: { $values ->
     [one] { $values } juego de valores comprobado y dibujado
    *[other] { $values } juegos de valores comprobados y dibujados

@@ -1,7 +1,7 @@
 # Los robots del catálogo y el aspecto de sus configuraciones.
 
 robot-cloos = Robot de soldadura Cloos
-configuration-cloos-zero = brazo a lo largo de x0, antebrazo hacia arriba, la antorcha cuelga a lo largo de él (muñeca singular)
+configuration-cloos-zero = brazo a lo largo de x0, antebrazo hacia arriba, la antorcha cuelga hacia atrás a lo largo de él (muñeca singular)
 configuration-cloos-reach = brazo levantado 45°, antebrazo en ángulo recto con él, mano en ángulo recto con el antebrazo
 robot-dmra = Brazo de robot móvil DoIt (6DMRA)
 configuration-dmra-zero = brazo a lo largo de x0, antebrazo colgando (muñeca singular)
@@ -20,14 +20,14 @@ robot-onelink = Brazo de un eslabón
 configuration-onelink-zero = el eslabón a lo largo de x0
 configuration-onelink-up = el eslabón a lo largo de y0
 configuration-puma560-zero = brazo a lo largo de x0, antebrazo hacia arriba (muñeca singular)
-configuration-puma560-ready = brazo extendido en vertical (codo y muñeca singulares)
+configuration-puma560-ready = brazo extendido hacia arriba (codo y muñeca singulares)
 configuration-puma560-stretch = brazo extendido a lo largo de x0 (codo y muñeca singulares)
 configuration-puma560-nominal = brazo levantado 45°, antebrazo 45° hacia abajo, muñeca doblada: toma de una mesa, lejos de singularidades
 configuration-puma600-zero = brazo a lo largo de x0, antebrazo colgando (muñeca singular)
 configuration-puma600-up = brazo apuntando hacia arriba (codo y muñeca singulares)
 configuration-puma600-work = brazo levantado 45°, antebrazo y mano doblados
 configuration-rx90-zero = brazo a lo largo de x0, antebrazo hacia arriba (muñeca singular)
-configuration-rx90-up = brazo extendido en vertical (codo y muñeca singulares)
+configuration-rx90-up = brazo extendido hacia arriba (codo y muñeca singulares)
 configuration-rx90-work = codo y muñeca bien doblados
 robot-scara = SCARA (curso francés)
 configuration-scara-zero = brazo extendido a lo largo de x0, husillo en cero

@@ -34,7 +34,7 @@ error-body_too_large =
         [one] { $limit } byte
        *[other] { $limit } bytes
     }, lo máximo que lee esta llamada.
-error-method_not_allowed = Esta dirección conoce { $allowed }, pero no { $method }.
+error-method_not_allowed = Esta dirección admite { $allowed }, pero no { $method }.
 error-address_unknown = No hay nada en { $path }. El documento /api/v1/openapi.json enumera todas las llamadas.
 error-problem_unknown = Ningún rechazo tiene el código { $code }.
 error-internal_error = El servicio ha fallado en esta petición. Comuníquelo con el identificador { $id }.
@@ -113,7 +113,7 @@ error-api_key_scope = Esta clave sirve para { $scopes }; la llamada necesita { $
 error-idempotency_key_length = Una Idempotency-Key tiene de 1 a { $limit } caracteres.
 error-idempotency_key_in_use = Todavía se está respondiendo a una petición con esta Idempotency-Key. Inténtelo de nuevo dentro de un segundo.
 error-idempotency_key_reused = Esta Idempotency-Key ya se usó para otra petición. Use una clave nueva para una petición nueva.
-error-rate_exceeded = Se ha superado el límite de { $limit } unidades de coste por minuto. Inténtelo de nuevo en { $seconds } s.
+error-rate_exceeded = Se ha superado el límite de { $limit } unidades de coste por minuto. Inténtelo de nuevo dentro de { $seconds } s.
 error-setting_missing = Falta el ajuste { $name }.
 problem-title-429 = Demasiadas peticiones
 error-quaternion_or_axis = Indique a lo sumo uno de «quaternion» y «axis».

@@ -1,8 +1,8 @@
 # El entrenador de sistemas de referencia.
 
-trainer-title = Entrenador de sistemas
+trainer-title = Práctica de sistemas de referencia
 trainer-heading = Asigne los sistemas de referencia
-trainer-lead = Sistema a sistema, en el orden de la clase: todos los ejes z, las normales comunes, los orígenes, todos los ejes x. Cada paso se comprueba al final; después se lee la tabla DH.
+trainer-lead = Sistema a sistema, en el orden en que se enseña: todos los ejes z, las normales comunes, los orígenes, todos los ejes x. Cada paso se comprueba al final; después se lee la tabla DH.
 trainer-back = Volver al ejercicio
 trainer-frames = Sistemas de referencia
 trainer-table = La tabla que resulta
