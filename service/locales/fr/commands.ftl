@@ -33,8 +33,8 @@ check-no_joints = Le robot n’a aucune articulation : il n’y a rien à décr
 check-nothing_earned = Aucun tableau faux ne rapporte de points : rien de ce qu’un tableau de zéros décrit mal de ce robot n’a de poids. Changez les poids ou fixez davantage de règles.
 check-asked_as_shown = La partie { $kind } montre ce qu’elle demande. Demandez autre chose, ou montrez-le sous une autre forme.
 check-gravity_not_down = Sur la figure, la pesanteur que donne la partie { $kind } n’est pas dirigée vers le bas. Tournez le repère 0 par upright, ou changez gravity.
-check-frames_coincide = Sur la figure de la partie { $kind }, deux repères ont la même origine, car une liaison prismatique entre eux y est dessinée à zéro. Donnez-lui une autre valeur dans posture.
-check-limits_ambiguous = La réponse à la partie { $kind } dépend du sens dans lequel est comptée une articulation limitée, et ce sens se choisit librement. Fixez les sens (figure), ou choisissez des limites pour lesquelles il est indifférent.
+check-frames_coincide = Sur la figure de la partie { $kind }, deux repères ont la même origine, car une articulation prismatique entre eux y est dessinée à zéro. Donnez-lui une autre valeur dans posture.
+check-limits_ambiguous = La réponse à la partie { $kind } dépend du sens dans lequel croît la variable d’une articulation qui a des limites, et ce sens se choisit librement. Fixez les sens (figure), ou choisissez des limites pour lesquelles il est indifférent.
 warm-counts = { $exercise } : { $values ->
     [one] { $values } jeu de valeurs vérifié et dessiné
    *[other] { $values } jeux de valeurs vérifiés et dessinés

@@ -7,7 +7,7 @@ problem-title-409 = Impossible pour l’instant
 ## Stockage
 
 error-storage_folder = Le dossier de données { $folder } est inutilisable : { $reason }. Indiquez dans FRAMEWISE_DATA_FOLDER un dossier accessible en écriture, ou mettez FRAMEWISE_STORAGE à off.
-error-storage_address = FRAMEWISE_DATABASE_URL ne désigne pas une base PostgreSQL. Elle a la forme postgresql://utilisateur:motdepasse@serveur/base.
+error-storage_address = FRAMEWISE_DATABASE_URL ne désigne pas une base PostgreSQL. La forme attendue est postgresql://utilisateur:motdepasse@serveur/base.
 error-storage_unusable = La base de données { $location } est inutilisable : { $reason }.
 error-storage_unavailable = La base de données ne répond pas pour l’instant. Ce qui a déjà été confirmé est en sécurité. Renvoyez ceci dans quelques secondes.
 error-storage_missing = Il n’y a pas de base de données à l’emplacement { $location }. FRAMEWISE_DATA_FOLDER ou FRAMEWISE_DATABASE_URL doit indiquer celle du service.

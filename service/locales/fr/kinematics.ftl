@@ -25,7 +25,7 @@ error-pose_in_one_row = Seize nombres dans une seule liste ne sont pas une pose�
 error-inertia_in_one_row = Une inertie ne s’écrit pas en une seule liste : écrivez trois lignes de trois, [[Ixx, Ixy, Ixz], [Ixy, Iyy, Iyz], [Ixz, Iyz, Izz]], avec Ixy = −∫ x y dm.
 error-pose_bottom_row = La dernière ligne d’une pose est 0, 0, 0, 1.
 error-pose_not_orthonormal = La partie rotation n’est pas orthonormée (écart de { $error }) : ses colonnes doivent être des vecteurs unitaires perpendiculaires, à { $tolerance } près. Donnez plus de décimales ou, pour le modèle géométrique inverse, une tolérance (`tolerance`).
-error-pose_left_handed = La partie rotation forme un repère indirect : son déterminant vaut −1, c’est une réflexion. Il doit valoir +1.
+error-pose_left_handed = La partie rotation forme un trièdre indirect : son déterminant vaut −1, c’est une réflexion. Il doit valoir +1.
 
 error-notation_wrong_length =
     { $expected ->

@@ -34,7 +34,7 @@ error-body_too_large =
         [one] { $limit } octet
        *[other] { $limit } octets
     }, le maximum que lit cet appel.
-error-method_not_allowed = Cette adresse connaît { $allowed }, mais pas { $method }.
+error-method_not_allowed = Cette adresse accepte { $allowed }, mais pas { $method }.
 error-address_unknown = Il n’y a rien à { $path }. Le document /api/v1/openapi.json énumère tous les appels.
 error-problem_unknown = Aucun refus n’a le code { $code }.
 error-internal_error = Le service a échoué sur cette requête. Signalez-le avec l’identifiant { $id }.

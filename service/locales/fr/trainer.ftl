@@ -2,7 +2,7 @@
 
 trainer-title = Entraînement aux repères
 trainer-heading = Placez les repères
-trainer-lead = Repère après repère, dans l’ordre du cours : tous les axes z, les perpendiculaires communes, les origines, tous les axes x. Chaque étape est vérifiée à la fin ; on lit ensuite le tableau DH.
+trainer-lead = Repère après repère, dans l’ordre où on l’enseigne : tous les axes z, les perpendiculaires communes, les origines, tous les axes x. Chaque étape est vérifiée à la fin ; on lit ensuite le tableau DH.
 trainer-back = Retour à l’exercice
 trainer-frames = Repères
 trainer-table = Le tableau qui en découle
