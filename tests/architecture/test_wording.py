@@ -77,6 +77,7 @@ TERMS: dict[str, dict[str, str]] = {
         r"\b(?:link|hand|frame) against\b": "relative to",
         r"\b(?:its|their|no|the) marks?\b": "points are earned; grades are recorded",
         r"\b[Pp]osition (?:shown )?(?:in|of) the figure": "configuration",
+        r"\b[Jj]oint forces\b": "joint torques and forces",
     },
     "es": {
         r"[Ff]orma literal": "forma cerrada",
@@ -89,6 +90,7 @@ TERMS: dict[str, dict[str, str]] = {
         r"\b[Nn]otas?\b": "puntos; calificación",
         r"cuentan? (?:en sentido|al revés)|[Ss]e cuenta (?:en|al)": "crece, se mide",
         r"posición de la figura": "configuración",
+        r"[Ee]ntrenador|sistemas? de coordenadas": "práctica; sistema de referencia",
     },
     "fr": {
         r"[Tt]ables? DH|[Ff]orme (?:fermée|close)": "tableau DH; forme littérale",
@@ -98,6 +100,7 @@ TERMS: dict[str, dict[str, str]] = {
         r"[Cc]inématique inverse|[Mm]atrices? des segments": "modèle géométrique inverse; matrice de passage",
         r"[Aa]xes de vissage|[Ee]fforts articulaires|[Éé]chantillon": "torseurs; couples et forces; exemple",
         r"matrice de passage du|position représentée": "pose d’un repère dans un autre; configuration",
+        r"\b[Ll]iaisons?\b|bras vertical|suivant −?x0": "articulation; bras vers le haut; le long de x0",
     },
     "pt": {
         r"\b[Ss]istemas? (?:\{\}|de coordenadas|fixo)": "referencial",
@@ -113,6 +116,9 @@ TERMS: dict[str, dict[str, str]] = {
         r"\bcontam? (?:no sentido|ao contrário)": "a variable cresce",
         r"\bnoutr[oa] \w+ que (?!não\b)": "num … diferente do …",
         r"\b[Nn]otas?\b|posição da figura": "classificação; configuração",
+        r"[Bb]raço superior|\b[Aa]mostras?\b": "braço; exemplo",
+        r"(?<!e )\b[Ff]orças nas juntas|[Ee]ixos helicoidais": "binários e forças nas juntas; helicoides",
+        r"matriz do (?:último )?referencial|leva do referencial": "pose de um referencial noutro",
     },
     "ro": {
         r"[Ff]orm\w+ (?:literal|analitic)\w+": "formă închisă",

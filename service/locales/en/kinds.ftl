@@ -76,7 +76,7 @@ feedback-rotation_no_axis = The axis is of length zero.
 feedback-rotation_solution_missing = There is a second triple with the same orientation.
 feedback-rotation_solution_twice = Your triples differ by full turns only: they are the same. There is another one.
 feedback-rotation_family_missing = This is gimbal lock: there are infinitely many triples. Say which combination of the first and the last angle is fixed.
-feedback-rotation_combination = The other combination is fixed: take the difference for the sum, or the sum for the difference.
+feedback-rotation_combination = The other combination is fixed: take the difference instead of the sum, or the sum instead of the difference.
 feedback-rotation_not_locked = This is not gimbal lock: exactly two triples have this orientation.
 feedback-rotation_quadrant = An angle lies in the wrong quadrant, half a turn away: take atan2 instead of atan.
 feedback-rotation_angle_sign = An angle, or a combination of angles, has the wrong sign.
@@ -389,6 +389,6 @@ feedback-forces_other_frame = Force and moment were taken in the axes of the oth
 feedback-forces_rows_exchanged = Force and moment were exchanged.
 feedback-forces_spatial = The force was taken to act at the origin of frame 0.
 error-row_order_missing = Say which rows come first: (v, ω) or (ω, v).
-error-jacobian_empty = Give the Jacobian or the joint forces.
+error-jacobian_empty = Give the Jacobian or the joint torques and forces.
 
-error-wrench_missing = Joint forces belong to a force and a moment: give the wrench.
+error-wrench_missing = Joint torques and forces belong to a force and a moment: give the wrench.
