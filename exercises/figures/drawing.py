@@ -93,7 +93,7 @@ class Drawing:
         self.dimensions: list[DimensionLine] = []
 
     def draw(self) -> None:
-        """Everything, from the back to the front."""
+        """Draw everything, from the back to the front."""
         scene, camera = self.scene, self.camera
         axes = [
             axis_ends(axis, body, scene.size) for axis, body in zip(self.scene.axes, self.bodies, strict=True)
@@ -127,7 +127,7 @@ class Drawing:
             self.seen.append(np.array(dimension.drawn_line()))
 
     def box(self) -> tuple[float, float, float, float]:
-        """Left, top, width and height of the paper: as wide as all figures, as high as needed."""
+        """Return left, top, width and height of the paper: as wide as all figures, as high as needed."""
         points = np.concatenate(self.seen)
         low, high = points.min(axis=0) - EDGE, points.max(axis=0) + EDGE
         missing = max(0.0, NARROWEST - float(high[0] - low[0])) / 2
@@ -168,7 +168,7 @@ class Drawing:
     def place(
         self, axes: Sequence[tuple[Floats, Floats]], senses: Sequence[tuple[Floats, ...]]
     ) -> tuple[list[DimensionLine], list[Written]]:
-        """Places of the joints' numbers, the points' names, the variables' names and the dimensions."""
+        """Return the places of joints' numbers, points' names, variables' names and dimensions."""
         scene, camera, paper = self.scene, self.camera, self.paper
         labels = [
             number_places(axis, body, camera.project(np.array(ends)), camera, paper)
@@ -192,7 +192,7 @@ class Drawing:
     # drawing
 
     def strokes(self, axes: Sequence[tuple[Floats, Floats]]) -> None:
-        """Axes and links, the bodies over them, and whatever passes before a body once more."""
+        """Draw axes and links, the bodies over them, and whatever passes before a body once more."""
         dash: Style = {"stroke": "currentColor", "stroke_width": 1.3, "stroke_dasharray": "11 3.5 1 3.5"}
         self.draw_links([line(self.camera.project(chain)) for chain in self.links], "round")
         for ends in axes:
@@ -207,13 +207,13 @@ class Drawing:
                 self.canvas.path(line(run), "axis", **dash)
 
     def draw_links(self, runs: Sequence[str], cap: str) -> None:
-        """Tubes: all rims first, so that they run into one another."""
+        """Draw links as tubes: all rims first, so that they run into one another."""
         for role, colour, width in (("rim", "currentColor", LINK_WIDTH), ("core", "#fff", LINK_CORE)):
             for run in runs:
                 self.canvas.path(run, role, stroke=colour, stroke_width=width, stroke_linecap=cap)
 
     def draw_body(self, body: Body) -> None:
-        """A cylinder or a block, white in front of what is behind it."""
+        """Draw a cylinder or a block, white in front of what is behind it."""
         for role, data in outline(body, self.camera):
             edge: Style = {"stroke": "currentColor", "stroke_width": 1.6}
             self.canvas.path(data, "body", fill="#fff", **edge)
@@ -224,7 +224,7 @@ class Drawing:
             self.canvas.circle(tip, 1.6, "tip", fill="currentColor")
 
     def draw_labels(self, labels: Sequence[Written]) -> None:
-        """Numbers of joints, names, and the points that are named."""
+        """Write the numbers of joints, names, and the points that are named."""
         for label in labels:
             self.seen.append(np.array([label.at - 12.0, label.at + 12.0]))
             if label.text.isdecimal():
@@ -240,7 +240,7 @@ class Drawing:
             self.canvas.circle(self.camera.project(point.at), 4.2, "point", fill="currentColor")
 
     def draw_note(self, note: str) -> None:
-        """A few words below everything, at the right."""
+        """Write a few words below everything, at the right."""
         points = np.concatenate(self.seen)
         at = np.array(
             [float(points[:, 0].max()) - 0.25 * NOTE_SIZE * len(note), points[:, 1].max() + NOTE_SIZE]
@@ -249,7 +249,7 @@ class Drawing:
         self.canvas.text(at, note, "note", NOTE_SIZE, fill="currentColor", fill_opacity=0.75)
 
     def draw_sense(self, sense: tuple[Floats, ...]) -> None:
-        """The arrow of a variable, if it has one."""
+        """Draw the arrow of a variable, if it has one."""
         if sense:
             run, head, _ = sense
             self.canvas.path(line(run), "sense", stroke="currentColor", stroke_width=1.6)

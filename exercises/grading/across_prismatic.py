@@ -12,7 +12,7 @@ from kinematics.equivalence.measures import Measure, Shape
 
 @lru_cache(maxsize=32)
 def across_prismatic(facts: Facts) -> tuple[NDArray[np.bool_], ...]:
-    """(q,) for each group of prismatic joints: which facts relate the axes on both sides of it.
+    """Return (q,) for each group of prismatic joints: which facts relate the axes on both sides of it.
 
     Angles between neighbours are facts of their own.
     """

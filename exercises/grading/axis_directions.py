@@ -21,14 +21,14 @@ _WAYS = np.array(list(product((0.0, 1.0), repeat=STRETCH + 1)))
 
 
 def fixed_ends(axes: int, policy: Policy) -> tuple[int, ...]:
-    """Of so many axes between base and tool, those of these two that may not be turned round."""
+    """Return those of the two end axes, of so many between base and tool, that may not be turned round."""
     fixed = policy.base is BaseRule.FRAME, policy.tool is ToolRule.FRAME
     return tuple(i for i, end in zip((0, axes - 1), fixed, strict=True) if end)
 
 
 @lru_cache(maxsize=256)
 def fixed_signs(shapes: tuple[Shape, ...], fixed: tuple[int, ...]) -> list[int]:
-    """The places of the invariants that depend on the directions of such axes alone as may not be turned."""
+    """Return the places of the invariants that depend only on directions of axes that may not be turned."""
     return [
         q
         for q, shape in enumerate(shapes)

@@ -97,7 +97,7 @@ class Facts:
         return float(self._least(compared).min())
 
     def at_least_wrong(self, found: Floats, types: Sequence[Sequence[bool]]) -> Floats:
-        """(k,) the least that `wrong` can be of answers with the key's number of joints.
+        """Return (k,) the least that `wrong` can be of answers with the key's number of joints.
 
         Args:
             found: (q, k) their invariants.
@@ -111,7 +111,7 @@ class Facts:
         return self._least(_Compared(np.array(kept), fits, np.logical_or(*fits), np.hstack(unseen)))
 
     def _least(self, compared: "_Compared") -> Floats:
-        """(k,) the least weight over the directions of all axes, with what the joints take."""
+        """Return (k,) the least weight over the directions of all axes, with what the joints take."""
         kept, fits, has, unseen = compared
         worth = np.where(has, self.sign, 1.0) * self.worth[:, None]
         costs = np.where(fits & has, 0.0, worth)
@@ -121,7 +121,7 @@ class Facts:
         return np.asarray(least + np.maximum(self.to_earn - least, 0.0) * (1.0 - kept), dtype=np.float64)
 
     def shared(self, axes: Sequence[Axis], found: Floats | None = None) -> NDArray[np.bool_]:
-        """(q,) which invariants an answer has, but for signs.
+        """Return (q,) which invariants an answer has, but for signs.
 
         Args:
             axes: as for `wrong`.

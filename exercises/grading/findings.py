@@ -77,7 +77,7 @@ def link_findings(
     told: Accused,
     level: HelpLevel,
 ) -> tuple[LinkFinding, ...]:
-    """Row by row, as far as the help level tells."""
+    """Return what is right and wrong row by row, as far as the help level tells."""
     if not level.includes(HelpLevel.ROW):
         return ()
     missing = {change.places[0][0] for change in told.changes if change.code in MISSING_ROWS}
@@ -178,7 +178,7 @@ def _of(change: Change, table: NumericTable, level: HelpLevel) -> Iterator[Feedb
 
 
 def told_throughout(change: Change, level: HelpLevel) -> Iterator[Feedback]:
-    """What is told of something that is wrong in the whole table, where no repairs are told."""
+    """Return what is told of something that is wrong in the whole table, where no repairs are told."""
     if change.code == ROUNDED and level.includes(HelpLevel.ROW):
         yield Feedback(code="lengths_rounded")
     elif level.includes(HelpLevel.ROW):

@@ -50,7 +50,7 @@ class Standard(NamedTuple):
     lambda reference, policy, weights: len(reference.table.rows), longest=USUAL_ROWS, most=1024, few=32
 )
 def standard_of(reference: Reference, policy: Policy, weights: Weights) -> Standard:
-    """The facts of a key; those that a table of zeros has for nothing weigh no more than the others together.
+    """Return a key's facts; those that a table of zeros has right weigh no more than the others together.
 
     A SCARA has two facts to earn, its lengths, and seven for nothing: if each of these cost as much as a
     length, a forgotten row would leave nothing of the other three.
@@ -80,7 +80,7 @@ def standard_of(reference: Reference, policy: Policy, weights: Weights) -> Stand
 
 @lru_cache(maxsize=32)
 def wrong_of(work: Work, standard: Standard) -> float:
-    """The weight of the facts that are wrong; asked for by what compares ways, and twice by the score."""
+    """Return the weight of the wrong facts; the score asks for it twice."""
     facts = replace(standard.facts, invariants=work.facts)
     axes = axes_of(work.chain, work.policy)
     if not axes or not facts.axes:
@@ -117,13 +117,13 @@ def at_least_lost(work: Work, changes: Sequence[Change], standard: Standard) -> 
 
 
 def unconfirmed(policy: Policy) -> int:
-    """How many rules only the right robot can be seen to keep."""
+    """Return how many rules only the right robot can be seen to keep."""
     return (policy.zero is ZeroRule.FIGURE) + (policy.direction is DirectionRule.FIGURE)
 
 
 @lru_cache(maxsize=32)
 def shared_across_prismatic(work: Work, standard: Standard) -> float:
-    """By how much less the facts weigh if what is wrong across one group of prismatic joints counts as one.
+    """Return how much less the facts weigh if all wrong ones across a group of prismatic joints are one.
 
     How two axes with prismatic joints between them lie to each other is up to three facts: a distance, an
     offset and a turn. One edit mends all of them in some frames, in others two do; the score is the same.

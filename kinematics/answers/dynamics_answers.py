@@ -128,7 +128,7 @@ class _EntryJudge:
         )
 
     def skew(self, coriolis: Matrix) -> bool:
-        """C + Cᵀ = Ṁ; what is said of it is no part of the proof."""
+        """Compare C + Cᵀ with Ṁ; what is said of it is no part of the proof."""
         before = self.proof
         rate = self._question.equations.mass_rate
         sizes = [(entry, entry) for row in rate for entry in row if entry != ZERO] or [(ONE, ONE)]

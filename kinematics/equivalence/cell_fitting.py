@@ -44,7 +44,7 @@ def fitted_cells(
     tolerance: Tolerance,
     meter: Meter,
 ) -> NumericTable | None:
-    """The table with some cells changed so that it describes the reference, as nearly as they can do that.
+    """Change some cells of a table so that it describes the reference as nearly as they can.
 
     Returns:
         None if the mean error stays above half the tolerance.

@@ -103,7 +103,7 @@ def _known_numbers() -> dict[int, Expression]:
 
 
 def known_number(value: float) -> Expression | None:
-    """The exact form of a small rational number, or of a product of two cosines of multiples of π/12."""
+    """Return the exact form of a small rational number, or of two cosines of multiples of π/12 multiplied."""
     key = round(value / CLOSE)
     known = _known_numbers()
     return known.get(key) or known.get(key - 1) or known.get(key + 1)

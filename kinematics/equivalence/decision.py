@@ -144,7 +144,7 @@ def _found(
     wanted = policy.tolerance
 
     def first(asked: Policy, trying: Effort) -> Found | None:
-        """The first certificate that stands, whatever axes count as parallel."""
+        """Return the first certificate that stands, whatever axes count as parallel."""
         levels = references[0].levels(asked.base, asked.zero, asked.tolerance)
         tried = (
             Search(references, submissions, asked, near, trying, meter, measured).run() for near in levels
@@ -252,7 +252,7 @@ def _not_together(
 
 
 def mirrored(table: NumericTable) -> NumericTable:
-    """The mirror image of a robot in the plane z_0 = 0: d, α and every prismatic variable change sign."""
+    """Mirror a robot in the plane z_0 = 0: d, α and every prismatic variable change sign."""
     rows = tuple(
         replace(
             row, d=-row.d, alpha=-row.alpha, sign=-row.sign if row.joint.value == "prismatic" else row.sign

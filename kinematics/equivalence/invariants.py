@@ -79,23 +79,23 @@ class Invariants:
         return self.arrays.angular
 
     def measured(self, axes: AxisBatch) -> Floats:
-        """(q, k) what they are in submissions, as their axes point."""
+        """Return their (q, k) values in submissions, as the axes point."""
         return measured(self.shapes, axes)
 
     def reversed(self, found: Floats) -> Floats:
-        """(q, k) what the measured values would be if one of the axes were turned round."""
+        """Return the (q, k) values that there would be if one of the axes were turned round."""
         return self.arrays.half_turns + self.arrays.ways * found
 
     def sizes(self, found: Floats) -> Floats:
-        """(q, k) the measured values whichever way axes point: angles up to π/2, lengths without signs."""
+        """Return the (q, k) values whichever way axes point: angles up to π/2, lengths without signs."""
         return np.minimum(np.abs(found), np.abs(self.arrays.half_turns - found))
 
     def strains(self, found: Floats) -> Floats:
-        """(q, k) how far the sizes of the measured values are off, in units of what they may be."""
+        """Return (q, k) errors of the sizes, in units of what is allowed."""
         return np.asarray(np.abs(self.sizes(found) - self.own_sizes) / self.slacks)
 
     def fits(self, found: Floats) -> NDArray[np.bool_]:
-        """(2, q, k) which measured values fit, and which would if one of their axes were turned round."""
+        """Return (2, q, k): which values fit, and which would if one of their axes were turned round."""
         return np.abs(np.array((found, self.reversed(found))) - self.values) <= self.slacks
 
     def some(self, which: Sequence[int]) -> "Invariants":
@@ -103,7 +103,7 @@ class Invariants:
         return Invariants(tuple(self.shapes[i] for i in which), self.values[which], self.slacks[which])
 
     def beside(self, others: "Invariants") -> "Invariants":
-        """These, and others after them."""
+        """Return these, and others after them."""
         if not others.shapes:
             return self
         return Invariants(

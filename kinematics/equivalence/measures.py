@@ -149,7 +149,7 @@ def invariant_arrays(shapes: tuple[Shape, ...]) -> InvariantArrays:
 
 
 def measured(shapes: tuple[Shape, ...], axes: AxisBatch) -> Floats:
-    """(q, k) invariants of many chains, as their axes point.
+    """Return (q, k) invariants of many chains, as their axes point.
 
     Angles between axes are in [0, π]; lengths between two axes and offsets have signs, other lengths and the
     angles about prismatic joints have none.

@@ -122,7 +122,7 @@ class Reference:
         return found
 
     def levels(self, base: BaseRule, zero: ZeroRule, tolerance: Tolerance) -> Iterator[int]:
-        """The notions of nearness, by their places in `nearnesses`, that make different chains of groups.
+        """Return the indices in `nearnesses` of the notions that make different chains of groups.
 
         Only the first of them is needed for most tables, and the others are found when they are asked for.
         """

@@ -166,7 +166,7 @@ class Model:
         return max(self.found) ** 2 / tolerance.angle
 
     def after(self, step: Floats) -> Floats:
-        """(samples·2,) sizes of the errors after a step."""
+        """Return (samples·2,) sizes of the errors after a step."""
         rest = self.errors - (self.jacobian @ step).reshape(self.errors.shape)
         return np.asarray(np.sqrt(np.einsum("ij,ij->i", rest, rest)), dtype=np.float64)
 

@@ -35,7 +35,7 @@ def measured_of_tables(
     policy: Policy,
     angles_alone: Sequence[int] = (),
 ) -> Floats:
-    """(q, k) invariants of tables in which some cells are changed, as their axes point.
+    """Return (q, k) invariants of tables in which some cells are changed, as their axes point.
 
     Args:
         shapes: the invariants, as `measured` takes them.

@@ -75,7 +75,7 @@ class ToolChoice:
 
 
 def tool_choices(reference: Reference, plan: Plan, rule: ToolRule, near: Nearness) -> tuple[ToolChoice, ...]:
-    """The ways in which a rule lets frame N of the submission lie, for a reference and one of its plans."""
+    """Return the ways in which a rule lets the submission's frame N lie, for a reference and a plan of it."""
     key = (id(plan), rule, near)
     known = reference.ends.get(key)
     if known is None:
@@ -119,7 +119,7 @@ def _on(point: Vector, axis: Axis, near: Nearness) -> bool:
 
 
 def placements(choice: ToolChoice, here: Motion) -> list[Motion]:
-    """The motions of H_N that place the submission's frame N as the choice wants it, as nearly as they can.
+    """Return motions of H_N that place the submission's frame N as nearly as they can as the choice wants.
 
     `here` is the pose of the submission's frame N after all alignments.
     """
@@ -177,7 +177,7 @@ def _settle(group: Group, here: Motion, target: Motion) -> Motion:
 
 
 def obeying(choice: ToolChoice, tool: Motion) -> Motion:
-    """The E nearest to a given one that keeps the rule to the letter; the rest goes into the residual."""
+    """Return the E nearest to a given one that keeps the rule exactly; the rest goes into the residual."""
     if choice.rule is ToolRule.FREE:
         return tool
     if choice.rule is ToolRule.FRAME:

@@ -33,7 +33,7 @@ class Residual(NamedTuple):
 
 
 def joint_values(reference: Reference, candidate: CertificateCandidate) -> NDArray[np.float64]:
-    """σ∘q + δ at the sampled configurations, (n, samples)."""
+    """Return σ∘q + δ at the sampled configurations, (n, samples)."""
     turned = np.array((candidate.signs, candidate.offsets), dtype=np.float64)
     return np.asarray(reference.joints * turned[0][:, None] + turned[1][:, None], dtype=np.float64)
 
@@ -41,7 +41,7 @@ def joint_values(reference: Reference, candidate: CertificateCandidate) -> NDArr
 def differences(
     reference: Reference, submission: Chain, candidate: CertificateCandidate
 ) -> NDArray[np.float64]:
-    """F_s(σ∘q + δ) - B · F_r(q) · E at every sampled configuration: (samples, 4, 4)."""
+    """Return F_s(σ∘q + δ) - B · F_r(q) · E at every sampled configuration: (samples, 4, 4)."""
     difference = submission.poses(joint_values(reference, candidate).T)
     poses = reference.poses.reshape(-1, 4) @ to_matrix(candidate.tool)
     difference -= to_matrix(candidate.base) @ poses.reshape(reference.poses.shape)

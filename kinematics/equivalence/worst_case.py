@@ -136,14 +136,14 @@ class _Climb:
             self._after[i] = self._motion(i, self._weights(i)) @ self._after[i + 1]
 
     def forward_sweep(self) -> Floats:
-        """Best every joint from the first to the last; (k,) the squares that are reached."""
+        """Maximise over each joint, from the first to the last; return the (k,) squares that are reached."""
         for i in range(len(self.joints)):
             grams, weights = self._bested(i)
             self._before[i + 1] = self._before[i] @ self._motion(i, weights)
         return np.asarray(np.einsum("ki,kij,kj->k", weights, grams, weights), dtype=np.float64)
 
     def backward_sweep(self) -> Floats:
-        """Best every joint from the last to the first; (k,) the squares that are reached."""
+        """Maximise over each joint, from the last to the first; return the (k,) squares that are reached."""
         for i in range(len(self.joints) - 1, -1, -1):
             grams, weights = self._bested(i)
             self._after[i] = self._motion(i, weights) @ self._after[i + 1]

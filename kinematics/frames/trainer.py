@@ -153,7 +153,7 @@ class _Robot(NamedTuple):
     def against_rules(
         self, frames: Sequence[PartialPose], rounding: float
     ) -> tuple[list[PartialPose], list[FramePlace], list[list[FrameFinding]]]:
-        """The frames as they are meant, what they are judged by, and the rules that each of them breaks.
+        """Return the frames as they are meant, what judges them, and the rules that each of them breaks.
 
         Frames are moved onto what the rules ask for where they are that near.
         """
@@ -168,7 +168,7 @@ class _Robot(NamedTuple):
         return meant, places, [broken_rules(frame, place) for frame, place in zip(meant, places, strict=True)]
 
     def drawn_lines(self, frames: Sequence[PartialPose]) -> list[AxisLine | None]:
-        """The axes that have a place: revolute joints, and prismatic joints whose frame has an origin."""
+        """Return the axes with a place: revolute joints, and prismatic ones whose frame has an origin."""
         drawn: list[AxisLine | None] = list(self.lines)
         for k, line in enumerate(self.lines):
             if line.joint is JointType.PRISMATIC:
@@ -180,7 +180,7 @@ class _Robot(NamedTuple):
         return tuple(self._row(i, sound) for i in range(1, len(sound)))
 
     def table(self, rows: Sequence[NumericRow | None], frame_0: Pose | None) -> NumericTable | None:
-        """The table, once every row and frame 0 are there."""
+        """Return the table, once every row and frame 0 are there."""
         whole = tuple(row for row in rows if row is not None)
         if len(whole) < len(rows) or frame_0 is None:
             return None

@@ -115,7 +115,7 @@ class Arm:
         return frames
 
     def jacobians(self, frames: Array) -> Array:
-        """Geometric Jacobians in the base, positions divided by the size.
+        """Return geometric Jacobians in the base, positions divided by the size.
 
         Args:
             frames: what `frames` returned.

@@ -63,7 +63,7 @@ def solver_of(
     limits: JointLimits | None = None,
     reach: ArmReach = ArmReach.POSE,
 ) -> Solver:
-    """The table made ready for many targets; arguments and refusals are those of `inverse_kinematics`."""
+    """Make a table ready for many targets; arguments and refusals are those of `inverse_kinematics`."""
     T_w_0 = None if base is None else check_transform(base, where=("base",))
     T_n_t = None if tool is None else check_transform(tool, where=("tool",))
     for pose, name in ((T_w_0, "base"), (T_n_t, "tool")):

@@ -130,7 +130,7 @@ class Solver:
         return self._searched(goal) if answer is None else answer
 
     def solve_directly(self, target: ArrayLike, tolerance: float | None = None) -> InverseKinematics | None:
-        """What the closed form alone says, never long; None if it has no solution within the limits.
+        """Return what the closed form alone says, never long; None if it has no solution within the limits.
 
         None, too, where solutions may be of families, or others at the ends of valleys: both would have to be
         followed; and where one must have been lost.

@@ -41,7 +41,7 @@ LEFT = 1e-3  # An error [rad, and parts of the size] with which a walk has left 
 
 
 def along_valleys(arm: Arm, target: Array, joints: Array) -> Array:
-    """The least errors near configurations, by Newton's method with the second derivatives of the error.
+    """Return the least errors near configurations, by Newton's method with second derivatives.
 
     Where a fold is a single point that its target only just reaches, the error grows with the square of the
     way in two directions, in one of them thousands of times less: steps by the Jacobian alone go to and fro.

@@ -230,7 +230,7 @@ class InverseDerivation:
         return joint.angle if joint.turns else JointVariable(joint.number)
 
     def idles(self, joint: SignedJoint) -> bool:
-        """Note that a joint does nothing where it is needed; returned is that there is no form."""
+        """Note that a joint does nothing where it is needed; return that there is no form."""
         self.idle = joint.number
         return False
 

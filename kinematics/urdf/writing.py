@@ -163,11 +163,11 @@ class _UrdfWriter:
         self._taken = {*ends, *links}
 
     def fixed(self, name: str, pose: Transform) -> None:
-        """A fixed joint and its link."""
+        """Write a fixed joint and its link."""
         self._note(f"fixed_{name}", "fixed", self._free(name), pose, ())
 
     def last(self, pose: Transform) -> None:
-        """The fixed joint to the last link, unless that link is the one of the last joint.
+        """Write the fixed joint to the last link, unless that link is the one of the last joint.
 
         It is where the last link's frame may be that of the joint: where its origin is on the axis.
         """
@@ -188,7 +188,7 @@ class _UrdfWriter:
     def moving(
         self, number: int, joint: JointType, sign: int, pose: Transform, bounds: tuple[float, float]
     ) -> None:
-        """A joint that moves about or along z of its frame."""
+        """Write a joint that moves about or along z of its frame."""
         self._last_sign = sign
         details = [_axis((0, 0, sign))]
         kind = joint.value

@@ -75,7 +75,7 @@ class _Surface:
         self.low, self.high = (spans / arm.units[:, None]).T
 
     def seen(self, x: Floats) -> tuple[Floats, Floats, Floats, Floats]:
-        """Places (m, 3), their Jacobians (m, 3, n), the conditions' errors (m, k) and Jacobians (m, k, n)."""
+        """Return points (m, 3), Jacobians (m, 3, n), the conditions' errors (m, k), theirs (m, k, n)."""
         frames = self.arm.frames(x * self.arm.units)
         J = self.whole.jacobians(frames) * self.arm.units
         place, along = frames[-1, :, :3, 3], J[:, :3] * self.arm.size
@@ -91,7 +91,7 @@ class _Surface:
         return place, along, np.concatenate(errors, axis=1), np.concatenate(jacobians, axis=1)
 
     def brought(self, x: Floats, steps: int, held: NDArray[np.bool_] | bool = False) -> tuple[Floats, Floats]:
-        """Configurations after Gauss–Newton steps onto the set, and the size of their errors (m,).
+        """Return configurations after Gauss–Newton steps onto the set, and the size of their errors (m,).
 
         Joints that are `held`, (m, n), stay where they are.
         """

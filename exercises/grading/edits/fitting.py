@@ -60,7 +60,7 @@ def measured(
     variations: Sequence[Variation],
     angles_alone: Sequence[int] = (),
 ) -> NDArray[np.float64]:
-    """(q, k) the invariants of tables in which some cells are changed; see `measured_of_tables`."""
+    """Return (q, k) the invariants of tables in which some cells are changed; see `measured_of_tables`."""
     invariants = work.invariants
     rows = max(len(table.rows) for table in tables)
     work.meter.charge(per_batch(len(variations), rows, len(invariants.shapes)))

@@ -16,7 +16,7 @@ from kinematics.table import NumericTable
 
 
 def joint_places(works: Sequence[Work]) -> list[tuple[int, int]]:
-    """The places, from … to, of the one joint that a table has more or less than the key, so that it may fit.
+    """Return the range of places for the one joint that a table has more or less than the key.
 
     What lies before the joint must fit as the axes are counted from the base, what lies behind it as they are
     counted from the tool: an edit there moves everything behind it as one. No place will do if the first is
@@ -46,7 +46,7 @@ def joint_places(works: Sequence[Work]) -> list[tuple[int, int]]:
 def from_both_ends(
     shapes: tuple[Shape, ...], tables: tuple[NumericTable, ...], excess: int, policy: Policy
 ) -> NDArray[np.float64]:
-    """(q, 2k) the key's invariants in tables with one joint more or less: from the base, then from the tool.
+    """Return (q, 2k) invariants of the key in tables with one joint more or less: from base, then from tool.
 
     Remembered, for what is left of the answer is seen in the same numbers.
     """

@@ -50,7 +50,7 @@ class Misfits:
         self._misplaced = self._failing.sum(axis=0) - self._counts
 
     def might_be_none(self) -> list[int]:
-        """The numbers of those of which nothing fails, and the axes can be turned so that the signs agree."""
+        """Return the numbers of those in which nothing fails, if axes are turned so that the signs agree."""
         which = np.flatnonzero((self._counts == 0) & (self._misplaced == 0))
         if which.size:
             fits = self._invariants.fits(self.found[:, which])

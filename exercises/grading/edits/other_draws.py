@@ -14,7 +14,7 @@ Draws: TypeAlias = tuple[NumericTable, NumericTable]  # A table at two draws.
 
 
 def alike_at(change: Change, own: Draws, keys: Draws) -> Change | None:
-    """A change of some cells as it is at another draw: what is an entry of the answer or the key stays that.
+    """Return a change of cells as it is at another draw: an entry of the answer or the key stays that entry.
 
     So does the sum of two lengths. Another angle is itself; of another length, None. `own` is the table that
     it is made in.

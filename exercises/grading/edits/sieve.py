@@ -170,7 +170,7 @@ class Sieve:
         return not changed or fact.is_wrong(self._entries.bounds, self._rows, changed)
 
     def concerned(self) -> Work:
-        """The table and what an edit has to do with that mends anything, where all that fails is seen."""
+        """Return the table, narrowed to what an edit must concern to mend anything, if all errors are seen."""
         if len(self.wrong) <= self._most:
             return self._work
         start = min(self._work.joints_up_to[fact.rows[0]] for fact in self.wrong)
@@ -178,7 +178,7 @@ class Sieve:
         return self._work.within((start, end))
 
     def narrowed(self) -> Work:
-        """The table and what an edit has to do with that mends all that is seen to be wrong."""
+        """Return the table, narrowed to what an edit must concern to mend all that is seen to be wrong."""
         if not self.wrong:
             return self._work
         start, end = self._work.scope.reach
@@ -223,7 +223,7 @@ def _seen(
     standard = convention is Convention.STANDARD
 
     def link(i: int, j: int) -> int | None:
-        """The one row that leads from joint i to joint j, both counted from 1."""
+        """Return the one row that leads from joint i to joint j, both counted from 1."""
         if i < 1 or j != i + 1 or j > len(rows) or rows[j - 1] != rows[i - 1] + 1:
             return None
         return rows[i - 1] if standard else rows[j - 1]

@@ -8,7 +8,7 @@ from exercises.grading.edits.work import Work
 
 
 def changes_of(work: Work) -> Iterator[Change]:
-    """Every change of the catalogue with which a table may have the key's joints, and which is wanted."""
+    """Yield every wanted change of the catalogue with which a table may have the key's joints."""
     excess, only, lacking, others = work.excess, work.only, work.scope.lacking, work.other_types
     for misconception in CATALOGUE:
         if (
@@ -20,7 +20,7 @@ def changes_of(work: Work) -> Iterator[Change]:
 
 
 def changes_beforehand(work: Work) -> Iterator[Change]:
-    """The changes of a table whose joints are not the key's that leave them one too many or one too few.
+    """Yield changes of a table with other joints than the key's that leave one too many or too few.
 
     A change that mends the joints may come after.
     """

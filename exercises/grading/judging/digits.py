@@ -183,7 +183,7 @@ def _largest(invariants: Invariants, reference: Reference, steps: Mapping[Place,
 def measured_as_typed(
     invariants: Invariants, table: NumericTable, steps: Mapping[Place, float], policy: Policy
 ) -> Floats:
-    """(q, 1 + 2·steps) invariants of a table as it stands, and with each decimal half a unit up and down.
+    """Return (q, 1 + 2·steps) invariants of a table as typed, and with each decimal half a unit up and down.
 
     Digits that are finer than the arithmetic are left out.
     """

@@ -46,7 +46,7 @@ def policy_of(comparison: Comparison, policy: Policy) -> Policy:
 
 
 def share_of(comparison: Comparison) -> float:
-    """By which part of itself a length may be off, whatever its digits; none where names say it."""
+    """Return by which part of itself a length may be off, whatever its digits; none where names say it."""
     return PER_CENT if comparison.by_value and not comparison.in_names else 0.0
 
 

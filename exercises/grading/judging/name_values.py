@@ -30,7 +30,7 @@ class Values:
     scale: float
 
     def lengths_of(self, names: Collection[str]) -> frozenset[Fraction]:
-        """The lengths that the exercise gives to some names, without signs."""
+        """Return the lengths that the exercise gives to some names, without signs."""
         return frozenset(
             abs(Fraction(self.given[name])) for name in names if self.kinds[name] is ParameterKind.LENGTH
         )

@@ -69,7 +69,7 @@ class Joint:
         return np.asarray(self.point + along + turned)
 
     def lever(self, points: Array) -> float:
-        """Largest distance of (k, 3) points from the axis; infinite of a joint that slides."""
+        """Return the largest distance of (k, 3) points from the axis; infinite of a joint that slides."""
         if not self.revolute:
             return np.inf
         v = points - self.point

@@ -169,7 +169,7 @@ class Follower:
         return kept
 
     def jacobian(self, x: Array) -> Array:
-        """(6, n) Jacobian in units."""
+        """Return the (6, n) Jacobian in units."""
         return np.asarray(self.jacobians(x[None])[0])
 
     def jacobians(self, x: Array) -> Array:

@@ -88,7 +88,7 @@ class Membership:
         return np.asarray(members[nearest] / self._arm.units)
 
     def within_each(self, component: Component, joints: Array) -> NDArray[np.bool_]:
-        """Which of some solutions, (m, n), belong to a component."""
+        """Return which of some solutions, (m, n), belong to a component."""
         apart = differences(joints, component.joints, self._arm)
         farthest = np.abs(apart).max(axis=1)
         inside = farthest <= SAME

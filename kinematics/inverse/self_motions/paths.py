@@ -130,7 +130,7 @@ class _OneWay:
         self._second, _ = self._seen(follower.jacobian(start), direction)
 
     def next_steps(self) -> Array:
-        """(k,) lengths of the steps to be tried, of which the first that may be is taken."""
+        """Return (k,) lengths of the steps to be tried, of which the first that may be is taken."""
         count = 1
         if self._halved or self._narrow:
             count = SOME_HALVES if self._halved <= 1 else MOST_STEPS
@@ -138,14 +138,14 @@ class _OneWay:
         return halves[: max(int((halves >= SHORTEST_STEP).sum()), 1)]
 
     def across(self) -> Array:
-        """(n, m) what steps are corrected along: all that is across the direction, and what is held."""
+        """Return (n, m) directions of corrections: across the path's direction and all that is held."""
         if not len(self._held):
             return np.eye(len(self.x)) - np.outer(self.direction, self.direction)
         rows = np.vstack((self.direction, self._held))
         return np.asarray(np.linalg.svd(rows)[2][len(rows) :].T)
 
     def take(self, steps: Array, kept: list[bool], found: Array, J: Array) -> None:
-        """Take the first step that may be taken, and see whether the way goes on.
+        """Take the first step that may be taken, and see whether the path goes on.
 
         Args:
             steps: (k,) lengths of what was tried.

@@ -178,7 +178,7 @@ class _Limits:
         self.kept = Box(np.where(whole, -np.inf, box.low), np.where(whole, np.inf, box.high))
 
     def within(self, points: Array) -> tuple[Array, NDArray[np.bool_]]:
-        """(m, n) points of a path by turns within the limits that are kept, and (m,) which fit.
+        """Return (m, n) points of a path by turns within the limits that are kept, and (m,) which fit.
 
         One follows the other without a turn between as long as the limits let it.
         """
