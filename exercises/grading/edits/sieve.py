@@ -170,7 +170,7 @@ class Sieve:
         return not changed or fact.is_wrong(self._entries.bounds, self._rows, changed)
 
     def concerned(self) -> Work:
-        """Return the table, narrowed to what an edit must concern to mend anything, if all errors are seen."""
+        """Return the table, narrowed to what an edit must concern if it is to mend anything."""
         if len(self.wrong) <= self._most:
             return self._work
         start = min(self._work.joints_up_to[fact.rows[0]] for fact in self.wrong)
