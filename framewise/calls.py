@@ -70,7 +70,7 @@ class KinematicsCalls(Sender[Answer, Content, Answers]):
         return self._of_robot("dynamics", robot, joints=joints, **options)
 
     def rates(self, robot: Table | str, joints: Joints, **options: Any) -> Answer:
-        """Return velocities, accelerations and the forces that hold a wrench (POST /rates).
+        """Return velocities, accelerations, and torques and forces for a wrench (POST /rates).
 
         Args:
             robot: a table, or the id of a robot of the catalogue.

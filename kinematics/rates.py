@@ -104,11 +104,12 @@ def angle_rates(rotation: Floats, angles: EulerSequence) -> Floats | None:
 
 
 def joint_forces(chain: Chain, joints: ArrayLike, wrench: ArrayLike) -> Floats:
-    """Return τ = J0ᵀ (f, m): the forces and torques at the joints that hold a wrench at the end frame, (n,).
+    """Return τ = J0ᵀ (f, m): the joint torques and forces with which the end frame exerts a wrench, (n,).
 
     Args:
         joints: (n,) joint variables [rad, or m for a prismatic joint].
-        wrench: (6,) force f [N] at the origin of the end frame, and moment m [N m], in the axes of the base.
+        wrench: (6,) force f [N] at the origin of the end frame, and moment m [N m], in the axes of the base:
+            those that the arm exerts; those that it bears have the other sign.
 
     Raises:
         JointValueError: not n finite values.

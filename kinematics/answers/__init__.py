@@ -5,7 +5,7 @@ joint_rows           one row of them
 joint_questions      such a pose, and all that reaches it
 joint_verdicts       what is said of them
 screw_answers        joint screws and a home pose
-jacobian_answers     Jacobians in numbers, and the joint forces that hold a wrench
+jacobian_answers     Jacobians in numbers, and the joint torques and forces for a wrench
 jacobian_forms       the same as functions of the joint variables
 entry_proofs         are entries the same functions
 jacobian_verdicts    what is said of both

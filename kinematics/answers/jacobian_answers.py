@@ -1,4 +1,4 @@
-"""A Jacobian in numbers, and the joint forces that hold a wrench: are they right, and what is a wrong one?
+"""A Jacobian in numbers, and the joint forces for a wrench: are they right, and what is a wrong one?
 
     (v, ω) = J(q) q̇        τ = J(q)ᵀ (f, m)
 
@@ -127,7 +127,7 @@ def judge_forces(
 
     Args:
         chain: of the table whose joints they are of.
-        wrench: force and moment on the tool, (f, m).
+        wrench: force and moment that the tool exerts, (f, m).
         given: one number for each joint.
         frame: in whose axes the wrench is given.
         tolerance: as a share of what force and moment can do at the arm's size.

@@ -106,7 +106,7 @@ def judge_force_form(
     Args:
         robot: whose joints they are of; its values are also those of the names in the wrench.
         given: one for each joint.
-        wrench: force and moment on the tool, (f, m).
+        wrench: force and moment that the tool exerts, (f, m).
         frame: in whose axes the wrench is given.
         tolerance: as a share of what force and moment can do at the robot's size.
         rounded: of entries with names and decimals, as for the Jacobian.

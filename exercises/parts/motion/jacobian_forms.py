@@ -1,4 +1,4 @@
-"""A Jacobian in closed form, and the joint forces that hold a wrench, as functions of the joint variables.
+"""A Jacobian in closed form, and the joint forces for a wrench, as functions of the joint variables.
 
 Beside a table they are those of the student's own table, in its own joint variables, and earn their points if
 they follow from it; alone they are those of the key, which is then given.
@@ -65,7 +65,7 @@ class JacobianFormPart(JacobianTerms):
     """A Jacobian, joint forces, or both, in closed form.
 
     Attributes:
-        wrench: force and moment on the tool, each component a number or its own name.
+        wrench: force and moment that the tool exerts, each component a number or its own name.
     """
 
     wrench: tuple[Expression, ...]
@@ -75,7 +75,7 @@ class JacobianFormType(JacobianType[JacobianFormPart, JacobianForm]):
     """Jacobian and statics in closed form."""
 
     kind = "jacobian_form"
-    meaning = "the Jacobian and the joint forces that hold a wrench, as functions of the joint variables"
+    meaning = "the Jacobian, and torques and forces for a wrench, as functions of the joint variables"
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> JacobianFormPart:
         """Return the part with what is asked."""

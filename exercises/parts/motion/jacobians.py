@@ -1,4 +1,4 @@
-"""A Jacobian in numbers, and the joint forces that hold a wrench.
+"""A Jacobian in numbers, and the joint torques and forces for a wrench.
 
 Beside a table they are those of the student's own table, at the joint values of its own variables, and earn
 their points if they follow from it; alone they are those of the key, which is then given. Lengths are in the
@@ -69,7 +69,7 @@ class JacobianPart(JacobianTerms):
 
     Attributes:
         joints: of the configuration.
-        wrench: force and moment on the tool.
+        wrench: force and moment that the tool exerts.
     """
 
     joints: JointDraws
@@ -80,7 +80,7 @@ class JacobianPartType(JacobianType[JacobianPart, JacobianNumbers]):
     """Jacobian and statics."""
 
     kind = "jacobian"
-    meaning = "the Jacobian in numbers, and the joint forces that hold a wrench"
+    meaning = "the Jacobian in numbers, and the joint torques and forces for a wrench"
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> JacobianPart:
         """Return the part with its joint values and what is asked."""

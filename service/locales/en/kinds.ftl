@@ -336,7 +336,7 @@ error-screw_too_large = A number is too large for a robot; the largest is { $lim
 field-jacobian = Jacobian, one column for each joint
 field-forces = Joint torques and forces
 given-configuration = The configuration
-given-wrench = Force and moment on the tool
+given-wrench = Force and moment that the tool exerts
 
 task-jacobian =
     { $variables ->

@@ -336,7 +336,7 @@ error-screw_too_large = Un número es demasiado grande para un robot; el máximo
 field-jacobian = Jacobiana, una columna por articulación
 field-forces = Pares y fuerzas articulares
 given-configuration = La configuración
-given-wrench = Fuerza y momento sobre la herramienta
+given-wrench = Fuerza y momento que ejerce la herramienta
 
 task-jacobian =
     { $variables ->

@@ -336,7 +336,7 @@ error-screw_too_large = Un nombre est trop grand pour un robot ; le plus grand 
 field-jacobian = Jacobienne, une colonne par articulation
 field-forces = Couples et forces articulaires
 given-configuration = La configuration
-given-wrench = Force et moment sur l’outil
+given-wrench = Force et moment exercés par l’outil
 
 task-jacobian =
     { $variables ->

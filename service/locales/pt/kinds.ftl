@@ -337,7 +337,7 @@ error-screw_too_large = Um número é demasiado grande para um robô; o maior é
 field-jacobian = Jacobiana, uma coluna por junta
 field-forces = Binários e forças nas juntas
 given-configuration = A configuração
-given-wrench = Força e momento na ferramenta
+given-wrench = Força e momento que a ferramenta exerce
 
 task-jacobian =
     { $variables ->

@@ -340,7 +340,7 @@ error-screw_too_large = Un număr este prea mare pentru un robot; cel mai mare e
 field-jacobian = Jacobianul, câte o coloană pentru fiecare cuplă
 field-forces = Momentele și forțele din cuple
 given-configuration = Configurația
-given-wrench = Forța și momentul asupra sculei
+given-wrench = Forța și momentul exercitate de sculă
 
 task-jacobian =
     { $variables ->

@@ -330,7 +330,7 @@ error-screw_too_large = Число завелике для робота; най�
 field-jacobian = Якобіан, по стовпцю на зчленування
 field-forces = Моменти й сили у зчленуваннях
 given-configuration = Конфігурація
-given-wrench = Сила й момент на інструмент
+given-wrench = Сила й момент, з якими діє інструмент
 
 task-jacobian =
     { $variables ->

@@ -62,7 +62,9 @@ class CheckJacobianRequest(JacobianCheck):
     jacobian: Annotated[list[Columns], Field(min_length=6, max_length=6)] | None = Field(
         None, description="6×n, per radian, of the last frame's origin"
     )
-    wrench: Vector6 | None = Field(None, description="force and moment at the last frame's origin")
+    wrench: Vector6 | None = Field(
+        None, description="force and moment that the hand exerts at the last frame's origin"
+    )
     joint_forces: Columns | None = Field(None, description="τ = Jᵀ · wrench, one for each joint")
     tolerance: Share = Field(0.005, description="of an entry; of a length as a share of the robot's size")
 
@@ -74,7 +76,8 @@ class CheckJacobianFormRequest(JacobianCheck):
         None, description="6×n expressions, per radian, of the last frame's origin; c12 is cos(q1 + q2)"
     )
     wrench: Annotated[list[Cell], Field(min_length=6, max_length=6)] | None = Field(
-        None, description="force and moment at the last frame's origin: numbers, or fx, fy, fz, mx, my, mz"
+        None,
+        description="force and moment that the hand exerts at the last origin: numbers, or fx, fy, fz, mx, my, mz",
     )
     joint_forces: FormRow | None = Field(None, description="τ = Jᵀ · wrench, one expression for each joint")
     tolerance: Share = Field(
@@ -91,13 +94,13 @@ class JacobianMistakeModel(Wire):
 
 
 class CheckJacobianAnswer(Units):
-    """Whether a Jacobian and joint forces are those of the table."""
+    """Whether a Jacobian and joint torques and forces are those of the table."""
 
     correct: bool
     entries: list[list[bool]] | None = Field(
         description="which entries of the Jacobian are right, linear rows first; null if there was none"
     )
-    forces: list[bool] | None = Field(description="which joint forces are right; null if there were none")
+    forces: list[bool] | None = Field(description="which torques and forces are right; null without any")
     mistakes: list[JacobianMistakeModel] = Field(description="the usual slips that explain a wrong answer")
 
 
@@ -113,7 +116,7 @@ class CheckJacobianFormAnswer(CheckJacobianAnswer):
 router = CallRouter("kinematics")
 
 
-@router.call("/check-jacobian", "Are this Jacobian and these joint forces those of the table?")
+@router.call("/check-jacobian", "Are this Jacobian and these joint torques and forces those of the table?")
 def check_jacobian(body: CheckJacobianRequest, robot: PreparedRobot, language: str) -> CheckJacobianAnswer:
     """Return the Jacobian of the last frame's origin, in either order of the rows, and τ = Jᵀ (f, m).
 
@@ -141,7 +144,7 @@ def check_jacobian(body: CheckJacobianRequest, robot: PreparedRobot, language: s
 
 
 @router.judge(
-    "/check-jacobian-form", "Are this Jacobian and these joint forces, as functions, those of the table?"
+    "/check-jacobian-form", "Are this Jacobian and these torques and forces, as functions, the table's?"
 )
 def check_jacobian_form(
     body: CheckJacobianFormRequest, robot: PreparedRobot, language: str
@@ -201,7 +204,7 @@ def _meant_angles(body: CheckJacobianRequest | CheckJacobianFormRequest) -> Eule
     """Return the angles of which the rates are meant, None for a geometric Jacobian.
 
     Raises:
-        JointValueError: there is neither a Jacobian nor joint forces, or no wrench that these hold.
+        JointValueError: there is neither a Jacobian nor joint forces, or no wrench that they belong to.
         PoseError: there is no such sequence of angles.
     """
     if body.jacobian is None and body.joint_forces is None:

@@ -34,7 +34,8 @@ class RatesRequest(PlacedRobotQuestion):
         description="q̈_1 … q̈_n, in the table's units per second squared; from rest without rates",
     )
     wrench: Vector6 | None = Field(
-        None, description="force at the end frame's origin, then moment, in the axes of the world"
+        None,
+        description="force that the arm exerts at the end frame's origin, then moment, in the world's axes",
     )
     angles: RatesOfAngles | None = Field(
         None, description="whose rates `analytic` has; roll, pitch, yaw (X, Y, Z, fixed axes) if left out"

@@ -24,7 +24,7 @@ LOCKED = 0.3
 
 
 def jacobians(rng: random.Random) -> Iterator[KnownAnswer]:
-    """The Jacobian, geometric or of angles, and the forces that hold a wrench."""
+    """The Jacobian, geometric or of angles, and the torques and forces for a wrench."""
     found = student(rng.choice(EXERCISES), rng.randrange(30))
     part = found.exercise.part("jacobian")
     assert isinstance(part, JacobianPart)
