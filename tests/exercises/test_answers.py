@@ -22,14 +22,18 @@ from exercises.parts.inverse.joint_cells import JointAnswerCells
 from exercises.parts.mistakes.find_mistake import FoundMistakeCells
 from exercises.parts.mistakes.frame_mistake import FoundFrameMistakeCells
 from exercises.parts.mistakes.matrix_mistake import FoundMatrixMistakeCells
+from exercises.parts.motion.jacobian_cells import JacobianCells
+from exercises.parts.motion.motion_cells import MotionCells
 from exercises.parts.motion.singularity_cells import SingularityCells
 from exercises.parts.report import Credit
 from exercises.parts.report import judged as judged_part
+from exercises.parts.rotations.orientation_cells import OrientationCells
 from kinematics.answers.joint_verdicts import JointClaim
 from kinematics.table import JointType
 from tests.exercises.answering import SCARA, SCARA_MATRICES, SCARA_TRANSFORM, edited, judged, table
 from tests.exercises.packaged import exercise
 
+EYE3 = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 EYE = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
 
 
@@ -214,3 +218,38 @@ def test_a_joint_variable_is_no_joint_value() -> None:
 def test_a_vector_has_components_and_no_joints() -> None:
     cells = SingularityCells(conditions=(("sin(q2)",),), lost=(0, 0, 1, 0, 0))
     assert refused("scara-singularities", singularities=cells) == {"singularities.lost": "vector_length"}
+
+
+@pytest.mark.parametrize(
+    ("exercise_id", "cells", "fault"),
+    [
+        ("rx90-orientation", OrientationCells(matrix=EYE3), {"orientation": "orientation_empty"}),
+        ("rx90-orientation", OrientationCells(axis=(0, 0, 1), angle=0), {"orientation": "orientation_empty"}),
+        ("kr125-orientation", OrientationCells(angles=((1, 2, 3),)), {"orientation": "orientation_empty"}),
+        ("twolink-dynamics", MotionCells(velocity=(0, 0)), None),
+        ("scara-dynamics", MotionCells(coriolis=((0, 0, 0, 0),) * 4), None),
+        (
+            "scorbot-analytic-jacobian",
+            JacobianCells(forces=(0,) * 5),
+            {"jacobian_form.forces": "part_not_asked"},
+        ),
+    ],
+)
+def test_an_answer_to_what_is_not_asked_is_not_graded(
+    exercise_id: str, cells: Any, fault: dict[str, str] | None
+) -> None:
+    """It cost an attempt and was told that everything was missing; C and C q̇ stand for each other."""
+    (asked,) = exercise(exercise_id).parts
+    if fault is None:
+        assert parse(generate(exercise(exercise_id)), RawAnswer(**{asked.kind: cells})).get(asked.kind)
+    else:
+        assert refused(exercise_id, **{asked.kind: cells}) == fault
+
+
+def test_a_lost_motion_alone_is_not_graded_where_none_is_asked() -> None:
+    asked = exercise("scara-singularities")
+    (part,) = asked.parts
+    instance = generate(replace(asked, parts=(replace(part, joints=None),)))
+    with pytest.raises(AnswerError) as error:
+        parse(instance, RawAnswer(singularities=SingularityCells(lost=(0, 0, 1, 0, 0, 0))))
+    assert [fault.code for fault in error.value.faults] == ["part_not_asked"]

@@ -65,6 +65,16 @@ class MotionAsk(StrEnum):
     GRAVITY = "gravity"
 
 
+_FIELDS = {
+    MotionAsk.MASS: ("mass",),
+    MotionAsk.CORIOLIS: ("coriolis", "velocity"),
+    MotionAsk.SKEW: ("coriolis",),
+    MotionAsk.VELOCITY: ("coriolis", "velocity"),
+    MotionAsk.GRAVITY: ("gravity",),
+}
+"""Fields of an answer that are judged where something is asked: C q̇ follows from C, and stands for it."""
+
+
 @dataclass(frozen=True, kw_only=True, slots=True)
 class MotionPart(Part):
     """Equations of motion.
@@ -188,7 +198,8 @@ class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
         """Return the functions."""
         part = reading.instance.exercise.part(self.kind)
         assert isinstance(part, MotionPart)
-        return read_motion(raw, reading, {weight.name for weight in part.weights})
+        answering = {field for question in part.ask for field in _FIELDS[question]}
+        return read_motion(raw, answering, reading, {weight.name for weight in part.weights})
 
     def grade(self, part: MotionPart, answer: EquationsAnswer, context: Context) -> PartReport:
         """Judge M entry by entry, C q̇ and g row by row; what is asked counts the same.

@@ -145,17 +145,21 @@ def answer_fields(ask: tuple[JacobianAsk, ...], exercise: Exercise) -> tuple[For
     return tuple(fields)
 
 
-def is_well_shaped(raw: JacobianCells, reading: Reading) -> bool:
-    """Keep a fault for each row without an entry for every joint, and for what is missing altogether."""
-    n = len(reading.joint_types)
+def is_well_shaped(kind: str, raw: JacobianCells, reading: Reading) -> bool:
+    """Keep a fault for each row without an entry for every joint, and where nothing asked is there."""
+    part, n = reading.instance.exercise.part(kind), len(reading.joint_types)
+    assert isinstance(part, JacobianTerms)
     for i, row in enumerate(raw.jacobian or ()):
         reading.is_row_of(n, row, "jacobian", i)
     if raw.forces is not None:
         reading.is_row_of(n, raw.forces, "forces")
     if raw.jacobian is not None and raw.order is None:
         reading.fault("row_order_missing", "order")
-    if raw.jacobian is None and raw.forces is None:
+    given = [what for what in JacobianAsk if getattr(raw, what.value) is not None]
+    if not given:
         reading.fault("jacobian_empty")
+    elif not set(given) & set(part.ask):
+        reading.fault("part_not_asked", given[0].value, part=given[0].value, known=part.ask)
     return not reading.faults
 
 

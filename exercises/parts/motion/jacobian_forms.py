@@ -124,7 +124,7 @@ class JacobianFormType(JacobianType[JacobianFormPart, JacobianForm]):
 
     def read(self, raw: JacobianCells, reading: Reading) -> JacobianForm | None:
         """Return the functions, linear rows first."""
-        if not is_well_shaped(raw, reading):
+        if not is_well_shaped(self.kind, raw, reading):
             return None
         read = [read_row(row, reading, "jacobian", i) for i, row in enumerate(raw.jacobian or ())]
         forces = None

@@ -144,7 +144,7 @@ class JacobianPartType(JacobianType[JacobianPart, JacobianNumbers]):
 
     def read(self, raw: JacobianCells, reading: Reading) -> JacobianNumbers | None:
         """Return the matrix, linear rows first, and the forces."""
-        if not is_well_shaped(raw, reading):
+        if not is_well_shaped(self.kind, raw, reading):
             return None
         rows = [
             read_numbers_of(row, Position.LENGTH, reading, "jacobian", i)

@@ -32,8 +32,10 @@ class MotionCells:
     gravity: CellRow | None = None
 
 
-def read_motion(raw: MotionCells, reading: Reading, weights: Collection[str]) -> EquationsAnswer | None:
-    """Return the functions that were typed; faults are kept in the reading."""
+def read_motion(
+    raw: MotionCells, asked: Collection[str], reading: Reading, weights: Collection[str]
+) -> EquationsAnswer | None:
+    """Return the functions that were typed; faults are kept in the reading, also where no field is asked."""
     n = len(reading.joint_types)
     rates = {rate_name(i) for i in range(1, n + 1)}
     names = {*weights, *rates}
@@ -56,7 +58,7 @@ def read_motion(raw: MotionCells, reading: Reading, weights: Collection[str]) ->
                 read.append(entries)
                 cells += zip(row, entries or (), strict=False)
         found[field] = tuple(read) if is_matrix else read[0] if read else None
-    if not found and not reading.faults:
+    if not reading.faults and not any(field in found for field in asked):
         reading.fault("motion_empty")
     if reading.faults:
         return None

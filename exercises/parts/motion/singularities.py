@@ -122,6 +122,8 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
         """Return the functions that vanish, row by row, and the motion."""
         part = reading.instance.exercise.part(self.kind)
         assert isinstance(part, SingularitiesPart)
+        if raw.conditions is None and raw.lost is not None and part.joints is None:
+            reading.fault("part_not_asked", "lost", part="lost", known=("conditions",))
         return read_singularities(raw, reading, len(_labels(part)))
 
     def grade(self, part: SingularitiesPart, answer: SingularityAnswer, context: Context) -> PartReport:

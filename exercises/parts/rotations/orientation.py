@@ -150,7 +150,9 @@ class OrientationPartType(PartType[OrientationPart, OrientationCells, Orientatio
 
     def read(self, raw: OrientationCells, reading: Reading) -> OrientationAnswer | None:
         """Return the notations in numbers."""
-        return read_orientation(raw, reading)
+        part = reading.instance.exercise.part(self.kind)
+        assert isinstance(part, OrientationPart)
+        return read_orientation(raw, part.ask, reading)
 
     def grade(self, part: OrientationPart, answer: OrientationAnswer, context: Context) -> PartReport:
         """Judge notation by notation; each counts the same."""

@@ -73,8 +73,10 @@ class OrientationAnswer:
     family: GimbalFamily | None = None
 
 
-def read_orientation(raw: OrientationCells, reading: Reading) -> OrientationAnswer | None:
-    """Return the notations in numbers; faults are kept in the reading."""
+def read_orientation(
+    raw: OrientationCells, ask: Sequence[OrientationNotation], reading: Reading
+) -> OrientationAnswer | None:
+    """Return the notations in numbers; faults are kept in the reading, also where none is asked."""
 
     def numbers(
         cells: tuple[Cell, ...] | None, position: Position, *where: str | int
@@ -105,9 +107,19 @@ def read_orientation(raw: OrientationCells, reading: Reading) -> OrientationAnsw
         reading.fault("axis_and_angle", "angle" if raw.angle is None else "axis")
     if len({raw.middle is None, raw.value is None, raw.combination is None}) > 1:
         reading.fault("family_incomplete", "combination")
-    if not reading.faults and answer == OrientationAnswer(component_order=raw.component_order):
+    if not reading.faults and not any(_is_written(notation, answer) for notation in ask):
         reading.fault("orientation_empty")
     return None if reading.faults else answer
+
+
+def _is_written(notation: OrientationNotation, answer: OrientationAnswer) -> bool:
+    match notation:
+        case OrientationNotation.AXIS_ANGLE:
+            return answer.axis is not None
+        case OrientationNotation.EVERY_TRIPLE:
+            return answer.angles is not None or answer.family is not None
+        case _:
+            return getattr(answer, notation.value) is not None
 
 
 def rounded(values: Sequence[float]) -> tuple[float, ...]:
