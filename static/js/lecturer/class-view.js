@@ -9,9 +9,13 @@ import { adviceFor } from "./score-advice.js";
 /** @type {Record<string, string>} */
 const TONES = { solved: "good", stuck: "bad", begun: "warn", opened: "", absent: "" };
 
-/** What a student is called: a name where the platform shares it, else the beginning of the pseudonym. @param {any} options */
+/**
+ * What a student is called: the name, where the platform shares it, and the beginning of the pseudonym, since two may have one name.
+ * @param {any} options
+ */
 export function studentName({ name, key }) {
-  return ownDirection(name ?? key.slice(0, 8));
+  const short = key.slice(0, 8);
+  return name ? `${ownDirection(name)} (${short})` : short;
 }
 
 /**

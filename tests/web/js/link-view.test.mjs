@@ -7,6 +7,7 @@ globalThis.HTMLElement = class {};
 globalThis.customElements = { define() {} };
 globalThis.matchMedia = () => ({ matches: false });
 const { LinkView } = await import("../../../static/js/lecturer/link-view.js");
+const { studentName } = await import("../../../static/js/lecturer/class-view.js");
 
 const settled = () => new Promise((done) => setTimeout(done));
 
@@ -38,4 +39,11 @@ test("until a link's rules are here, what is saved is saved for the link that st
   void view.show({ id: 2, title: "second" });
   await settled();
   assert.deepEqual([view.link.id, places.heading.textContent], [1, "first"]);
+});
+
+test("two students of one name are told apart, and each by what a lecturer exports and erases by", () => {
+  const keys = ["0123456789abcdef", "fedcba9876543210"];
+  const names = keys.map((key) => studentName({ name: "Ann Lee", key }));
+  assert.deepEqual(names, ["Ann Lee (01234567)", "Ann Lee (fedcba98)"]);
+  assert.equal(studentName({ name: null, key: keys[0] }), "01234567");
 });
