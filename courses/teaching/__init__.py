@@ -6,4 +6,5 @@ settling       what follows from a regrading that counts, a few students at a ti
 statistics     how a class does
 attempts_behind  the attempts behind a number
 attempt_export  what a lecturer takes away as a file
+course_erasure  courses that have ended: what each holds, and its erasure
 """

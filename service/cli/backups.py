@@ -6,11 +6,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from courses.links.course_links import MOST_DIGITS
 from courses.refusals import StorageError
 from courses.storage.backup import back_up, restore
 from courses.storage.database import Store, open_store, revision_of
 from kinematics.errors import Fault
-from service.cli.environment import Subparsers, settings_of_environment
+from service.cli.environment import Subparsers, count, settings_of_environment
 
 
 def add(subparsers: Subparsers) -> None:
@@ -44,6 +45,13 @@ def opened_store(*, only_if_there: bool = False) -> Iterator[Store]:
         yield store
     finally:
         store.close()
+
+
+def record_number(text: str) -> int:
+    """Return the number of a platform or course, as a command lists it."""
+    if len(text) > MOST_DIGITS:
+        raise argparse.ArgumentTypeError(f"nothing here has a number such as {text}")
+    return count(text)
 
 
 def _back_up(options: argparse.Namespace) -> None:

@@ -23,6 +23,7 @@ COMMANDS: Mapping[str, str] = {
     "migrate": "backups",
     "lti": "lti",
     "people": "people",
+    "courses": "courses",
     "config": "config",
     "warm": "warm",
 }

@@ -6,7 +6,6 @@ import sys
 from dataclasses import fields
 from urllib.parse import urlsplit
 
-from courses.links.course_links import MOST_DIGITS
 from courses.model import Platform, PlatformStatus
 from courses.people.administration import invite_administrator
 from courses.people.platforms import (
@@ -18,8 +17,8 @@ from courses.people.platforms import (
     remove_platform,
     set_status,
 )
-from service.cli.backups import opened_store
-from service.cli.environment import Subparsers, count, settings_of_environment
+from service.cli.backups import opened_store, record_number
+from service.cli.environment import Subparsers, settings_of_environment
 from service.course_resources import CourseResources, now
 from service.lti.fetching import Fetcher, http_address, origin_of
 from service.lti.signing_keys import key_set
@@ -38,14 +37,14 @@ def add(subparsers: Subparsers) -> None:
     for status in PlatformStatus:
         verb = {"pending": "suspend", "active": "activate", "disabled": "disable"}[status.value]
         parser = actions.add_parser(verb, help=f"set a platform to {status.value}")
-        parser.add_argument("platform", type=_number)
+        parser.add_argument("platform", type=record_number)
         parser.set_defaults(run=_set_status, status=status)
     remove = actions.add_parser("remove", help="forget a platform with all its courses")
-    remove.add_argument("platform", type=_number)
+    remove.add_argument("platform", type=record_number)
     remove.add_argument("--yes", action="store_true", required=True, help="attempts and grades are lost")
     remove.set_defaults(run=_remove)
     deployment = actions.add_parser("deployment", help="allow a deployment of a platform to launch")
-    deployment.add_argument("platform", type=_number)
+    deployment.add_argument("platform", type=record_number)
     deployment.add_argument("deployment", type=_identifier)
     deployment.set_defaults(run=_add_deployment)
     invitation = actions.add_parser("invite", help="print an address for dynamic registration, valid once")
@@ -81,13 +80,6 @@ def _declare_add(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--name", default="")
     parser.add_argument("--names-shared", action="store_true", help="store the names that it shares")
     parser.set_defaults(run=_add)
-
-
-def _number(text: str) -> int:
-    """Return the number of a platform, as `platforms` lists it."""
-    if len(text) > MOST_DIGITS:
-        raise argparse.ArgumentTypeError(f"no platform has a number such as {text}")
-    return count(text)
 
 
 def _address(text: str) -> str:

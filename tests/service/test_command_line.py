@@ -253,9 +253,9 @@ def test_what_is_counted_is_counted_from_one(
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
-        (["lti", "activate", "9" * 30], "no platform has a number such as 999"),
+        (["lti", "activate", "9" * 30], "nothing here has a number such as 999"),
         (["lti", "disable", "x"], "a whole number from 1 on"),
-        (["lti", "deployment", "9" * 30, "1"], "no platform has a number such as 999"),
+        (["lti", "deployment", "9" * 30, "1"], "nothing here has a number such as 999"),
         (["lti", "invite", "ftp://lms.example.edu"], "an address is needed"),
         (["lti", "administer", "framewise.example.edu"], "an address is needed"),
         (["keys", "add", "--scope", "write"], "invalid choice: 'write'"),
@@ -402,6 +402,8 @@ def test_every_command_is_listed_with_the_module_that_declares_it(
         ["lti", "activate", "1"],
         ["lti", "deployment", "1", "2"],
         ["lti", "remove", "1", "--yes"],
+        ["courses", "list"],
+        ["courses", "erase", "1", "--yes"],
     ],
 )
 def test_what_needs_a_database_makes_none(

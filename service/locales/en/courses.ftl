@@ -24,6 +24,7 @@ error-record_unknown = { $kind ->
     [several] Several pseudonyms begin like this. Give more characters of it; an export shows the whole of it.
     [link] There is no such link in this course.
     [platform] There is no such platform.
+    [course] There is no such course.
    *[other] There is no such record in this course.
 }
 error-attempts_not_open = Attempts open on { TIME($opens) } UTC.
@@ -35,6 +36,10 @@ error-attempts_used = { $allowed ->
 error-exercise_changed = The exercise was changed after you opened this page, and nothing was handed in. Reload the page: what you typed is still there.
 error-settings_changed = Your changes were not saved: somebody else has saved other rules since you opened this page. Reload the page and look at them.
 error-regrading_outdated = Nothing was applied: the exercise or the rules of the link have changed since these scores were computed, or other scores have been applied. Regrade again.
+error-scores_unsent = { $count ->
+    [one] Nothing was removed: the gradebook has not received { $count } score of this course. See what keeps it; to lose it, add --with-unsent.
+   *[other] Nothing was removed: the gradebook has not received { $count } scores of this course. See what keeps them; to lose them, add --with-unsent.
+}
 error-setting_invalid = { $name } can be: { $known }.
 error-closes_before_opening = The exercise would close before it opens.
 error-session_expired = You are no longer signed in. What you typed is still here: open the exercise from your course again.

@@ -24,6 +24,7 @@ error-record_unknown = { $kind ->
     [several] Varios seudónimos empiezan así. Indique más caracteres; una exportación lo muestra entero.
     [link] No existe ese enlace en este curso.
     [platform] No existe esa plataforma.
+    [course] No existe ese curso.
    *[other] No existe ese registro en este curso.
 }
 error-attempts_not_open = Se admiten intentos a partir del { TIME($opens) } UTC.
@@ -35,6 +36,10 @@ error-attempts_used = { $allowed ->
 error-exercise_changed = El ejercicio se modificó después de que abriera esta página y no se ha entregado nada. Vuelva a cargar la página: lo que escribió sigue ahí.
 error-settings_changed = Sus cambios no se han guardado: otra persona ha guardado otras reglas desde que abrió esta página. Vuelva a cargar la página y revíselas.
 error-regrading_outdated = No se ha aplicado nada: el ejercicio o las reglas del enlace han cambiado desde que se calcularon estas puntuaciones, o se han aplicado otras. Vuelva a calificar.
+error-scores_unsent = { $count ->
+    [one] No se ha eliminado nada: el libro de calificaciones no ha recibido { $count } puntuación de este curso. Vea qué la retiene; para perderla, añada --with-unsent.
+   *[other] No se ha eliminado nada: el libro de calificaciones no ha recibido { $count } puntuaciones de este curso. Vea qué las retiene; para perderlas, añada --with-unsent.
+}
 error-setting_invalid = { $name } puede ser: { $known }.
 error-closes_before_opening = El ejercicio se cerraría antes de abrirse.
 error-session_expired = Su sesión ha terminado. Lo que escribió sigue aquí: vuelva a abrir el ejercicio desde su curso.

@@ -24,6 +24,7 @@ error-record_unknown = { $kind ->
     [several] Plusieurs pseudonymes commencent ainsi. Donnez plus de caractères ; une exportation le montre en entier.
     [link] Ce lien n’existe pas dans ce cours.
     [platform] Cette plateforme n’existe pas.
+    [course] Ce cours n’existe pas.
    *[other] Cet enregistrement n’existe pas dans ce cours.
 }
 error-attempts_not_open = Les essais sont acceptés à partir du { TIME($opens) } UTC.
@@ -35,6 +36,10 @@ error-attempts_used = { $allowed ->
 error-exercise_changed = L’exercice a été modifié après l’ouverture de cette page, et rien n’a été rendu. Rechargez la page : ce que vous avez saisi est toujours là.
 error-settings_changed = Vos modifications n’ont pas été enregistrées : quelqu’un d’autre a enregistré d’autres règles depuis l’ouverture de cette page. Rechargez la page et consultez-les.
 error-regrading_outdated = Rien n’a été appliqué : l’exercice ou les règles du lien ont changé depuis le calcul de ces notes, ou d’autres notes ont été appliquées. Notez à nouveau.
+error-scores_unsent = { $count ->
+    [one] Rien n’a été supprimé : le carnet de notes n’a pas reçu { $count } note de ce cours. Voyez ce qui la retient ; pour la perdre, ajoutez --with-unsent.
+   *[other] Rien n’a été supprimé : le carnet de notes n’a pas reçu { $count } notes de ce cours. Voyez ce qui les retient ; pour les perdre, ajoutez --with-unsent.
+}
 error-setting_invalid = { $name } peut valoir : { $known }.
 error-closes_before_opening = L’exercice fermerait avant d’ouvrir.
 error-session_expired = Vous n’êtes plus connecté. Ce que vous avez saisi est toujours là : rouvrez l’exercice depuis votre cours.

@@ -24,6 +24,7 @@ error-record_unknown = { $kind ->
     [several] Vários pseudónimos começam assim. Indique mais caracteres; uma exportação mostra-o completo.
     [link] Não existe essa ligação nesta disciplina.
     [platform] Não existe essa plataforma.
+    [course] Não existe essa disciplina.
    *[other] Não existe esse registo nesta disciplina.
 }
 error-attempts_not_open = As tentativas são aceites a partir de { TIME($opens) } UTC.
@@ -35,6 +36,10 @@ error-attempts_used = { $allowed ->
 error-exercise_changed = O exercício foi alterado depois de ter aberto esta página e nada foi entregue. Recarregue a página: o que escreveu continua lá.
 error-settings_changed = As suas alterações não foram guardadas: outra pessoa guardou outras regras depois de ter aberto esta página. Recarregue a página e veja-as.
 error-regrading_outdated = Nada foi aplicado: o exercício ou as regras da ligação mudaram desde que estas classificações foram calculadas, ou foram aplicadas outras. Volte a classificar.
+error-scores_unsent = { $count ->
+    [one] Nada foi eliminado: a pauta não recebeu { $count } classificação desta disciplina. Veja o que a retém; para a perder, acrescente --with-unsent.
+   *[other] Nada foi eliminado: a pauta não recebeu { $count } classificações desta disciplina. Veja o que as retém; para as perder, acrescente --with-unsent.
+}
 error-setting_invalid = { $name } pode ser: { $known }.
 error-closes_before_opening = O exercício fecharia antes de abrir.
 error-session_expired = A sua sessão terminou. O que escreveu continua aqui: volte a abrir o exercício a partir da sua disciplina.

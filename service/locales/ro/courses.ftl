@@ -24,6 +24,7 @@ error-record_unknown = { $kind ->
     [several] Mai multe pseudonime încep așa. Indicați mai multe caractere; un export îl arată întreg.
     [link] Nu există această legătură în acest curs.
     [platform] Nu există această platformă.
+    [course] Nu există acest curs.
    *[other] Nu există această înregistrare în acest curs.
 }
 error-attempts_not_open = Încercările se primesc începând cu data de { TIME($opens) } UTC.
@@ -36,6 +37,11 @@ error-attempts_used = { $allowed ->
 error-exercise_changed = Exercițiul a fost modificat după ce ați deschis această pagină și nu s-a predat nimic. Reîncărcați pagina: ce ați scris este în continuare acolo.
 error-settings_changed = Modificările nu au fost salvate: altcineva a salvat alte reguli după ce ați deschis această pagină. Reîncărcați pagina și consultați-le.
 error-regrading_outdated = Nu s-a aplicat nimic: exercițiul sau regulile legăturii s-au schimbat de când au fost calculate aceste note sau s-au aplicat altele. Notați din nou.
+error-scores_unsent = { $count ->
+    [one] Nu s-a șters nimic: catalogul nu a primit { $count } notă a acestui curs. Vedeți ce o reține; pentru a o pierde, adăugați --with-unsent.
+    [few] Nu s-a șters nimic: catalogul nu a primit { $count } note ale acestui curs. Vedeți ce le reține; pentru a le pierde, adăugați --with-unsent.
+   *[other] Nu s-a șters nimic: catalogul nu a primit { $count } de note ale acestui curs. Vedeți ce le reține; pentru a le pierde, adăugați --with-unsent.
+}
 error-setting_invalid = { $name } poate fi: { $known }.
 error-closes_before_opening = Exercițiul s-ar închide înainte de a se deschide.
 error-session_expired = Nu mai sunteți autentificat. Ce ați scris este încă aici: deschideți din nou exercițiul din cursul dumneavoastră.
