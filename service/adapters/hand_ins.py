@@ -52,8 +52,10 @@ def hand_ins(path: Path, settings: TableSettings) -> Iterator[HandIn]:
     Raises:
         RequestError: nothing can be read at the path.
     """
+    are_hidden = _are_hidden(path)
     for name, content in _files(path):
-        student, identifier = student_of(name), identifier_of(name)
+        identifier = identifier_of(name)
+        student = identifier if are_hidden and identifier else student_of(name)
         try:
             if isinstance(content, RequestError):
                 raise content
@@ -133,6 +135,19 @@ def _scheme_of(name: str) -> re.Match[str] | None:
             return found
     matches = (scheme.search(step) for step in reversed(parts) for scheme in (_BLACKBOARD, _CANVAS))
     return next(filter(None, matches), None)
+
+
+def _are_hidden(path: Path) -> bool:
+    """Whether Moodle hides who its students are: all bear one name, in its language, and their numbers."""
+    people: set[tuple[str, str | None]] = set()
+    with suppress(zipfile.BadZipFile, OSError):  # told where it is read
+        people = {_person(name) for name in _names(path) or () if _is_moodle(name)}
+    return len(people) > 1 and len({student for student, _ in people}) == 1
+
+
+def _is_moodle(name: str) -> bool:
+    found = _scheme_of(name)
+    return found is not None and found.re is _MOODLE
 
 
 def _person(name: str) -> tuple[str, str | None]:

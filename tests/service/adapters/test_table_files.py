@@ -279,6 +279,21 @@ def test_students_of_one_name_are_two(tmp_path: Path) -> None:
     assert count_files(archive) == 2
 
 
+def test_students_whom_moodle_hides_are_told_apart_by_their_numbers(tmp_path: Path) -> None:
+    """In blind marking all bear one name, in the language of the site: with it, one set of values for all."""
+    for name, students in (
+        ("Teilnehmerin", ["Participant 11", "Participant 12"]),
+        ("Ann Lee", ["Ann Lee", "Ann Lee", "Bob"]),
+    ):
+        archive = tmp_path / f"{name}.zip"
+        with zipfile.ZipFile(archive, "w") as written:
+            written.writestr(f"{name}_11_assignsubmission_file_/t.csv", GOOD)
+            written.writestr(f"{name}_12_assignsubmission_file_/t.csv", GOOD)
+            if "Bob" in students:
+                written.writestr("Bob_13_assignsubmission_file_/t.csv", GOOD)
+        assert [hand_in.student for hand_in in hand_ins(archive, TableSettings())] == students
+
+
 def test_names_in_an_archive_made_on_a_mac_are_read_as_written(tmp_path: Path) -> None:
     """It writes UTF-8 without the flag that says so, accents apart from their letters."""
     archive, name = tmp_path / "class.zip", "Zoe\u0308_11_assignsubmission_file_/t.csv"
