@@ -7,7 +7,6 @@ right; whether Ṁ − 2C is skew-symmetric is asked for separately (`kinematics
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from enum import StrEnum
 from fractions import Fraction
 from functools import lru_cache
 from random import Random
@@ -21,7 +20,7 @@ from exercises.parts.cells.matrix_cells import write_matrix
 from exercises.parts.context import Context
 from exercises.parts.first_values import Start, joint_names
 from exercises.parts.given_table import given_table
-from exercises.parts.motion.motion_cells import MotionCells, read_motion
+from exercises.parts.motion.motion_cells import MotionAsk, MotionCells, read_motion
 from exercises.parts.motion.weighed_links import (
     given_links,
     read_links,
@@ -53,26 +52,6 @@ from kinematics.table import JointType
 MOST_OF_WRONG = 0.8
 """Of a matrix with a wrong entry no more than this is earned, however many entries are right."""
 DOWN = 0.999  # Cosine of how far from the vertical gravity may point in the figure: 2.6°.
-
-
-class MotionAsk(StrEnum):
-    """What is asked: M, some C, that Ṁ − 2C is skew-symmetric as well, C q̇ alone, g."""
-
-    MASS = "mass"
-    CORIOLIS = "coriolis"
-    SKEW = "skew"
-    VELOCITY = "velocity"
-    GRAVITY = "gravity"
-
-
-_FIELDS = {
-    MotionAsk.MASS: ("mass",),
-    MotionAsk.CORIOLIS: ("coriolis", "velocity"),
-    MotionAsk.SKEW: ("coriolis",),
-    MotionAsk.VELOCITY: ("coriolis", "velocity"),
-    MotionAsk.GRAVITY: ("gravity",),
-}
-"""Fields of an answer that are judged where something is asked: C q̇ follows from C, and stands for it."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -198,8 +177,7 @@ class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
         """Return the functions."""
         part = reading.instance.exercise.part(self.kind)
         assert isinstance(part, MotionPart)
-        answering = {field for question in part.ask for field in _FIELDS[question]}
-        return read_motion(raw, answering, reading, {weight.name for weight in part.weights})
+        return read_motion(raw, part.ask, reading, {weight.name for weight in part.weights})
 
     def grade(self, part: MotionPart, answer: EquationsAnswer, context: Context) -> PartReport:
         """Judge M entry by entry, C q̇ and g row by row; what is asked counts the same.

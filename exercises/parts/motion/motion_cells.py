@@ -2,6 +2,7 @@
 
 from collections.abc import Collection
 from dataclasses import dataclass
+from enum import StrEnum
 from typing import Annotated, Any
 
 from exercises.parts.cells.matrix_cells import read_row, roundings_in
@@ -13,6 +14,26 @@ from kinematics.expressions import Expression
 
 CellRow = Annotated[tuple[Cell, ...], Length(least=1, most=64)]
 CellRows = Annotated[tuple[CellRow, ...], Length(least=1, most=64)]
+
+
+class MotionAsk(StrEnum):
+    """What is asked: M, some C, that Ṁ − 2C is skew-symmetric as well, C q̇ alone, g."""
+
+    MASS = "mass"
+    CORIOLIS = "coriolis"
+    SKEW = "skew"
+    VELOCITY = "velocity"
+    GRAVITY = "gravity"
+
+
+_FIELDS = {
+    MotionAsk.MASS: ("mass",),
+    MotionAsk.CORIOLIS: ("coriolis", "velocity"),
+    MotionAsk.SKEW: ("coriolis",),
+    MotionAsk.VELOCITY: ("coriolis", "velocity"),
+    MotionAsk.GRAVITY: ("gravity",),
+}
+"""Fields of an answer that are judged where something is asked: C q̇ follows from C, and stands for it."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -33,7 +54,7 @@ class MotionCells:
 
 
 def read_motion(
-    raw: MotionCells, asked: Collection[str], reading: Reading, weights: Collection[str]
+    raw: MotionCells, ask: Collection[MotionAsk], reading: Reading, weights: Collection[str]
 ) -> EquationsAnswer | None:
     """Return the functions that were typed; faults are kept in the reading, also where no field is asked."""
     n = len(reading.joint_types)
@@ -58,7 +79,7 @@ def read_motion(
                 read.append(entries)
                 cells += zip(row, entries or (), strict=False)
         found[field] = tuple(read) if is_matrix else read[0] if read else None
-    if not reading.faults and not any(field in found for field in asked):
+    if not reading.faults and not any(field in found for question in ask for field in _FIELDS[question]):
         reading.fault("motion_empty")
     if reading.faults:
         return None

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from random import Random
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from exercises.definition import Exercise, Part
 from exercises.draws import Draw, Picker, read_draw
@@ -150,8 +150,7 @@ class OrientationPartType(PartType[OrientationPart, OrientationCells, Orientatio
 
     def read(self, raw: OrientationCells, reading: Reading) -> OrientationAnswer | None:
         """Return the notations in numbers."""
-        part = reading.instance.exercise.part(self.kind)
-        assert isinstance(part, OrientationPart)
+        part: Any = reading.instance.exercise.part(self.kind)
         return read_orientation(raw, part.ask, reading)
 
     def grade(self, part: OrientationPart, answer: OrientationAnswer, context: Context) -> PartReport:

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from exercises.instance import Instance
 from exercises.parts.joint_draws import key_numbers
-from exercises.parts.motion.equations_of_motion import MotionAsk, MotionPart
-from exercises.parts.motion.motion_cells import MotionCells
+from exercises.parts.motion.equations_of_motion import MotionPart
+from exercises.parts.motion.motion_cells import MotionAsk, MotionCells
 from tests.exercises.meaning.answers_known import KnownAnswer, known
 from tests.exercises.meaning.own_tables import TINY, plain
 from tests.exercises.meaning.posed_answers import asking, student
