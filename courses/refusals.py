@@ -70,3 +70,8 @@ class NoExerciseError(CourseError):
 def unknown_record(kind: str) -> UnknownRecordError:
     """Return the refusal of a record that is not there, or belongs to another course."""
     return UnknownRecordError(Fault.at("record_unknown", kind=kind))
+
+
+def platform_inactive(issuer: str) -> Fault:
+    """Return the fault of what comes from a platform that was not activated, or was switched off."""
+    return Fault.at("lti_platform_inactive", issuer=issuer[:200])

@@ -7,9 +7,9 @@ from typing import Any
 import sqlalchemy as sa
 
 from courses.links.course_links import allowance_of, link_of
-from courses.model import Course, CourseSession, Link, Person, Role
+from courses.model import Course, CourseSession, Link, Person, PlatformStatus, Role
 from courses.people.secrets import hashed
-from courses.refusals import SessionError
+from courses.refusals import SessionError, platform_inactive
 from courses.storage import records
 from courses.storage.database import Store
 from courses.storage.statements import filled, of_student
@@ -35,6 +35,8 @@ _SESSION = (
         records.link.c.released_at,
         records.course.c.title.label("course_title"),
         records.course.c.memberships_url,
+        records.platform.c.issuer,
+        records.platform.c.status,
         records.participation.c.extra_seconds,
         records.participation.c.extra_attempts,
         records.participation.c.made,
@@ -48,6 +50,7 @@ _SESSION = (
     .join(records.person, records.person.c.id == records.session.c.person_id)
     .join(records.link, records.link.c.id == records.session.c.link_id)
     .join(records.course, records.course.c.id == records.link.c.course_id)
+    .join(records.platform, records.platform.c.id == records.course.c.platform_id)
     .join(
         records.participation,
         of_student(records.participation, records.session.c.link_id, records.session.c.person_id),
@@ -61,7 +64,7 @@ def session_of(store: Store, token: str, now: datetime) -> CourseSession:
     """Return who is signed in by a token; using a session keeps it alive.
 
     Raises:
-        SessionError: nobody is: it has expired, or was never given out.
+        SessionError: nobody is: it has expired, was never given out, or its platform was switched off.
     """
     (found,) = sessions_of(store, [token], now)
     if isinstance(found, SessionError):
@@ -75,14 +78,20 @@ def sessions_of(store: Store, tokens: Sequence[str], now: datetime) -> list[Cour
     with store.asking() as connection:
         asked = connection.execute(_SESSION, {"hashes": hashes})
         rows = {row.token_hash: row for row in asked if row.expires > now}
-    old = [row.id for row in rows.values() if row.expires < now + SESSION - RENEWED_AFTER]
+    active = {token: row for token, row in rows.items() if row.status == PlatformStatus.ACTIVE}
+    old = [row.id for row in active.values() if row.expires < now + SESSION - RENEWED_AFTER]
     if old:
         _renew(store, old, now)
     links: dict[int, Link] = {}
     return [
-        _session(rows[each], links) if each in rows else SessionError(Fault.at("session_expired"))
+        _session(active[each], links) if each in active else SessionError(_refusal(rows.get(each)))
         for each in hashes
     ]
+
+
+def _refusal(row: Any) -> Fault:
+    """Why a session is refused: its platform was switched off, or there is none."""
+    return Fault.at("session_expired") if row is None else platform_inactive(row.issuer)
 
 
 def _renew(store: Store, session_ids: Sequence[int], now: datetime) -> None:

@@ -9,8 +9,9 @@ from dataclasses import dataclass
 from datetime import datetime, timedelta
 from urllib.parse import urlencode
 
-from courses.model import Platform
+from courses.model import Platform, PlatformStatus
 from courses.people.secrets import hashed, sealed, unsealed
+from courses.refusals import platform_inactive
 from courses.storage.database import Store
 from kinematics.errors import Fault
 from service.lti.fetching import origin_of
@@ -58,6 +59,16 @@ class Login:
     target: str
     storage_target: str | None
     again: Mapping[str, str]
+
+
+def check_active(platform: Platform) -> None:
+    """Make sure that a platform may launch.
+
+    Raises:
+        LoginError: it was not activated, or was switched off.
+    """
+    if platform.status is not PlatformStatus.ACTIVE:
+        raise LoginError(platform_inactive(platform.issuer))
 
 
 def redirection(

@@ -13,9 +13,10 @@ import sqlalchemy as sa
 
 from courses.attempts.stored_attempts import LISTED, attempt_numbered, keep_drafts, standing_of
 from courses.grades.outbox import delivered, hasten, lease_scores, postponed, resend, undeliverable
-from courses.model import CourseSession, LinkSettings, Role
+from courses.model import CourseSession, LinkSettings, PlatformStatus, Role
 from courses.people import privacy
-from courses.people.enrolment import preview
+from courses.people.enrolment import arrive, preview
+from courses.people.platforms import set_status
 from courses.people.privacy import erase_person, export_person, person_named, purge
 from courses.people.secrets import issue_code, pseudonym, redeem_code, remember_nonce
 from courses.people.sessions import SESSION, end_session, session_of
@@ -33,7 +34,7 @@ from courses.teaching.statistics import (
     unexplained,
 )
 from service.work.retention import Retention
-from tests.courses.classroom import NOW, attempts_of, joined, platform, submitted
+from tests.courses.classroom import NOW, arrival, attempts_of, joined, platform, submitted
 
 
 def minutes(count: float) -> timedelta:
@@ -374,17 +375,7 @@ def test_who_signs_in_does_not_read_the_whole_class(tmp_path: Path) -> None:
 
 
 def test_sessions_live_while_they_are_used(store: Store) -> None:
-    from courses.people.enrolment import Arrival, arrive
-
-    told = Arrival(
-        platform=platform(store),
-        subject="s",
-        role=Role.LEARNER,
-        deployment="1",
-        context="c",
-        resource="r",
-    )
-    token, _ = arrive(store, told, NOW)
+    token, _ = arrive(store, arrival(store), NOW)
     session_of(store, token, NOW + SESSION - minutes(1))
     session = session_of(store, token, NOW + 2 * SESSION - minutes(2))
     with pytest.raises(SessionError):
@@ -392,6 +383,25 @@ def test_sessions_live_while_they_are_used(store: Store) -> None:
     end_session(store, session.id)
     with pytest.raises(SessionError):
         session_of(store, token, NOW)
+
+
+@pytest.mark.parametrize("status", [PlatformStatus.DISABLED, PlatformStatus.PENDING])
+def test_sessions_end_while_their_platform_is_switched_off(store: Store, status: PlatformStatus) -> None:
+    """They lived on for as long as they were used; who is signed in is still asked in one query."""
+    told = arrival(store)
+    token, _ = arrive(store, told, NOW)
+    asked: list[str] = []
+    sa.event.listen(store.engine, "before_cursor_execute", lambda *told: asked.append(told[2]))
+    session_of(store, token, NOW)
+    assert len(asked) == 1
+    set_status(store, told.platform.id, status)
+    with pytest.raises(SessionError) as refused:
+        session_of(store, token, NOW + SESSION - minutes(1))
+    assert refused.value.faults[0].code == "lti_platform_inactive"
+    set_status(store, told.platform.id, PlatformStatus.ACTIVE)
+    assert session_of(store, token, NOW + SESSION - minutes(1)).role is Role.LEARNER
+    with pytest.raises(SessionError):
+        session_of(store, token, NOW + 3 * SESSION)
 
 
 def test_codes_and_nonces_work_once(store: Store) -> None:

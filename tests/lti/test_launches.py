@@ -92,6 +92,22 @@ def test_a_deep_link_brings_its_exercise_and_rules(browser: Browser, lms: Lms) -
     assert session["seed"] == session["person"]["key"][:16]
 
 
+def test_a_platform_that_was_switched_off_is_signed_no_choice(browser: Browser, store: Store) -> None:
+    """Nor does anybody who was signed in by it see or do anything more."""
+    browser.launch("tina", hint([TEACHER], resource="off", custom=CUSTOM))
+    answer = browser.launch("tina", hint([TEACHER], deep=True))
+    asked = {"choice": answer.headers["location"].partition("#choice=")[2], "exercise": "puma560"}
+    (number,) = (each.id for each in platforms(store))
+    set_status(store, number, PlatformStatus.DISABLED)
+    try:
+        choice, course = browser.api("POST", "deep-links", asked), browser.api("GET", "course")
+    finally:
+        set_status(store, number, PlatformStatus.ACTIVE)
+    assert (choice.status_code, choice.json()["code"]) == (400, "lti_platform_inactive")
+    assert (course.status_code, course.json()["code"]) == (401, "lti_platform_inactive")
+    assert browser.api("GET", "course").status_code == 200
+
+
 def test_a_copied_course_has_the_rules_of_the_one_it_was_copied_from(browser: Browser) -> None:
     """What a lecturer had changed since the link was made was lost with every term."""
     custom = {**CUSTOM, "history": "$ResourceLink.id.history"}

@@ -10,6 +10,7 @@ from service.http.forms import own_root
 from service.http.languages import language_of
 from service.http.routing import ApiRequest
 from service.lti.deep_links import ContentItem, response_token, takes_line_items
+from service.lti.login import check_active
 from service.wire.courses.lti_custom import custom_of
 from service.work.session_grading import asked_exercise
 
@@ -32,6 +33,7 @@ async def answer_deep_link(request: ApiRequest) -> Response:
     def work() -> dict[str, str]:
         asked = redeem_code(courses.store, "deep-link", choice, now())
         platform = platform_by_id(courses.store, asked["platform"])
+        check_active(platform)
         item = ContentItem(
             address=f"{root}lti/launch",
             title=title,

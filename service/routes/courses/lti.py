@@ -14,7 +14,7 @@ from urllib.parse import urlencode
 from fastapi import APIRouter, Request, Response
 from fastapi.responses import RedirectResponse
 
-from courses.model import Platform, PlatformStatus, Role
+from courses.model import Platform, Role
 from courses.people.enrolment import Arrival, arrive
 from courses.people.platforms import deployments_of, platform_by_id, platforms_of
 from courses.people.secrets import hashed, issue_code, new_token, redeem_code, remember_nonce
@@ -27,7 +27,7 @@ from service.http.problems import MethodError, ServiceError
 from service.lti.fetching import http_address, origin_of
 from service.lti.launch import Expected, Launch, read_launch
 from service.lti.launch_errors import LaunchError, LoginError
-from service.lti.login import LOGIN, LoginRequest, login_of, nonce_of, read_login, redirection
+from service.lti.login import LOGIN, LoginRequest, check_active, login_of, nonce_of, read_login, redirection
 from service.messages import languages, sentence
 from service.resources import resources_of
 from service.web.launch_page import answered, launch_page, refused, step
@@ -116,18 +116,13 @@ def _platform_for(courses: CourseResources, asked: LoginRequest) -> Platform:
         raise LoginError(Fault.at("lti_platform_unknown", **params))
     if len(found) > 1:
         raise LoginError(Fault.at("lti_platform_ambiguous", **params))
-    _check_active(found[0])
+    check_active(found[0])
     try:
         http_address(found[0].authorization_endpoint)
     except ValueError:  # an earlier version has stored whatever was typed
         params = {"name": "authorization_endpoint"}
         raise LoginError(Fault.at("lti_configuration_invalid", **params)) from None
     return found[0]
-
-
-def _check_active(platform: Platform) -> None:
-    if platform.status is not PlatformStatus.ACTIVE:
-        raise LoginError(Fault.at("lti_platform_inactive", issuer=platform.issuer[:200]))
 
 
 def _launch(request: Request, given: Mapping[str, str]) -> Response:
@@ -197,7 +192,7 @@ def _opened(request: Request, courses: CourseResources, content: Mapping[str, An
     """Open the session of a launch, and go where it leads."""
     told = dict(content["arrival"])
     platform = platform_by_id(courses.store, content["platform"])
-    _check_active(platform)  # it may have been switched off since the login
+    check_active(platform)  # it may have been switched off since the login
     arrival = Arrival(**{**told, "role": Role(told["role"])}, platform=platform)
     root = own_root(request, resources_of(request).settings.public_url)
     query = {"lang": language} if (language := _language(arrival.locale)) else {}
