@@ -104,9 +104,8 @@ def _begun_before(new: Any) -> Mapping[str, Any]:
 
 
 def _person(connection: sa.Connection, arrival: Arrival, key: str, now: datetime) -> int:
-    changed: dict[str, Any] = {"seen": now, "subject": arrival.subject}
-    if arrival.platform.names_shared and arrival.name:
-        changed["name"] = arrival.name[:200]
+    name = arrival.name[:200] if arrival.platform.names_shared and arrival.name else None
+    changed = {"seen": now, "subject": arrival.subject, "name": name}
     first = {"platform_id": arrival.platform.id, "created": now}
     return int(upsert(connection, records.person, {"key": key}, changed, first).id)
 

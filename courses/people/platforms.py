@@ -32,6 +32,7 @@ class StoredKey:
 def add_platform(store: Store, platform: Platform, deployments: tuple[str, ...], now: datetime) -> Platform:
     """Insert a platform, or update the one with this issuer and client id; origins stay if none are named.
 
+    Names that were stored and may no longer be are forgotten.
     One that is active and registers itself again at the same addresses stays as the operator has it: nobody
     else can launch by it than before. At other addresses it waits to be activated.
     """
@@ -47,6 +48,9 @@ def add_platform(store: Store, platform: Platform, deployments: tuple[str, ...],
         stored = _platform(connection.execute(sa.select(_PLATFORM).where(_PLATFORM.c.id == own.id)).one())
         for deployment in deployments:
             insert_once(connection, records.deployment, {"platform_id": stored.id, "deployment": deployment})
+        if not stored.names_shared:
+            people = records.person.c.platform_id == stored.id, records.person.c.name.is_not(None)
+            connection.execute(sa.update(records.person).where(*people).values(name=None))
     return stored
 
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import sqlalchemy as sa
 
-from courses.people.secrets import preview_key
+from courses.people.secrets import delete_stale, preview_key
 from courses.refusals import unknown_record
 from courses.storage import records
 from courses.storage.database import Store
@@ -148,12 +148,16 @@ def _in_course(table: sa.Table, course_id: int | None) -> list[sa.ColumnElement[
 def purge(store: Store, now: datetime, *, people: timedelta, log: timedelta) -> dict[str, int]:
     """Remove people who were not seen for the time `people`, and lines of the audit log older than `log`.
 
+    So are codes and nonces that have ended: a launch that nobody went on with says who wanted to come.
+
     Returns:
         How many people, sessions and lines were removed.
     """
     person, access, session = records.person, records.access, records.session
     old = person.c.seen < now - people
     with store.writing() as connection:
+        for table in (records.one_time_code, records.nonce):
+            delete_stale(connection, table, now)
         ended = connection.execute(sa.delete(session).where(session.c.expires < now)).rowcount
         lines = connection.execute(sa.delete(access).where(access.c.at < now - log)).rowcount
         keys = list(connection.scalars(sa.select(person.c.key).where(old)))

@@ -75,7 +75,7 @@ def issue_code(store: Store, purpose: str, content: Mapping[str, Any], now: date
     """Return a code that brings content back once; delete those that were never redeemed."""
     code = new_token()
     with store.writing() as connection:
-        _delete_stale(connection, records.one_time_code, now)
+        delete_stale(connection, records.one_time_code, now)
         connection.execute(
             sa.insert(records.one_time_code).values(
                 code_hash=hashed(code), purpose=purpose, content=dict(content), expires=now + life
@@ -121,10 +121,11 @@ def _own(purpose: str, code: str) -> sa.ColumnElement[bool]:
 def remember_nonce(store: Store, platform_id: int, value: str, now: datetime, life: timedelta) -> bool:
     """Insert a nonce, and delete old ones; return False if the platform has used it before."""
     with store.writing() as connection:
-        _delete_stale(connection, records.nonce, now)
+        delete_stale(connection, records.nonce, now)
         values = {"platform_id": platform_id, "nonce": hashed(value), "expires": now + life}
         return insert_once(connection, records.nonce, values)
 
 
-def _delete_stale(connection: sa.Connection, table: sa.Table, now: datetime) -> None:
+def delete_stale(connection: sa.Connection, table: sa.Table, now: datetime) -> None:
+    """Delete codes, or nonces, that have ended."""
     connection.execute(sa.delete(table).where(table.c.expires < now))

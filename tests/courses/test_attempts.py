@@ -16,7 +16,7 @@ from courses.grades.outbox import delivered, hasten, lease_scores, postponed, re
 from courses.model import CourseSession, LinkSettings, PlatformStatus, Role
 from courses.people import privacy
 from courses.people.enrolment import arrive, preview
-from courses.people.platforms import set_status
+from courses.people.platforms import add_platform, set_status
 from courses.people.privacy import erase_person, export_person, person_named, purge
 from courses.people.secrets import issue_code, pseudonym, redeem_code, remember_nonce
 from courses.people.sessions import SESSION, end_session, session_of
@@ -577,6 +577,36 @@ def test_what_is_old_is_purged(store: Store) -> None:
     assert export_person(store, young.person.key)
     with pytest.raises(UnknownRecordError):
         export_person(store, old.person.key)
+
+
+def test_codes_and_nonces_that_have_ended_are_purged(store: Store) -> None:
+    """A launch that nobody went on with said who had wanted to come, until the next code was issued."""
+    issue_code(store, "pending", {"launch": {"arrival": {"subject": "ann"}}}, NOW, minutes(2))
+    issue_code(store, "session", {}, NOW + timedelta(days=1), minutes(2))
+    remember_nonce(store, platform(store).id, "nonce", NOW, minutes(90))
+    purge(store, NOW + timedelta(days=1), people=timedelta(days=365), log=timedelta(days=90))
+    with store.reading() as connection:
+        left = [
+            connection.scalar(sa.select(sa.func.count()).select_from(table))
+            for table in (records.one_time_code, records.nonce)
+        ]
+    assert left == [1, 0]
+
+
+def test_names_are_forgotten_that_may_no_longer_be_stored(store: Store) -> None:
+    """They stayed on the page of the class when the operator, or the platform, shared them no longer."""
+    told = arrival(store, name="Ann Lee")
+    unshared = told.platform
+    shared = add_platform(store, replace(unshared, names_shared=True), (), NOW)
+
+    def name_of(name: str | None) -> str | None:
+        token, _ = arrive(store, replace(told, platform=shared, name=name), NOW)
+        return session_of(store, token, NOW).person.name
+
+    assert [name_of("Ann Lee"), name_of(None), name_of("Ann Lee")] == ["Ann Lee", None, "Ann Lee"]
+    add_platform(store, unshared, (), NOW)
+    with store.reading() as connection:
+        assert connection.scalar(sa.select(records.person.c.name)) is None
 
 
 def test_who_was_removed_or_came_back_meanwhile_does_not_end_a_purge(
