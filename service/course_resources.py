@@ -5,7 +5,7 @@ import time
 from collections.abc import Callable
 from contextlib import suppress
 from datetime import UTC, datetime
-from typing import Any
+from typing import Any, TypeAlias
 
 from courses.attempts.stored_attempts import Typed, keep_drafts
 from courses.attempts.submissions import JudgedSubmission, store_submissions
@@ -48,6 +48,9 @@ _MEMBERS_LIVE = 300.0  # Seconds for which a class list of the platform is not f
 SESSIONS_KNOWN = 8192
 """Sessions whose people are in the cache, so that all their requests wait in a turn of their own."""
 _COURSES_KNOWN = 100  # Courses whose class lists are held at a time.
+
+
+_ClassList: TypeAlias = tuple[int, str]  # A platform, and the address at which it tells who is in a course.
 
 
 class CourseResources:
@@ -94,8 +97,8 @@ class CourseResources:
         self.key_set: dict[str, Any] = {}
         self._people: dict[str, Proven] = {}
         self._lock = threading.Lock()
-        self._members: dict[int, tuple[dict[str, str | None] | None, float]] = {}
-        self._asking: dict[int, threading.Lock] = {}
+        self._members: dict[_ClassList, tuple[dict[str, str | None] | None, float]] = {}
+        self._asking: dict[_ClassList, threading.Lock] = {}
         self._answered = (True, float("-inf"))
         self._editions: dict[str, str] = {}
         self._published: dict[str, Exercise] = {}
@@ -198,18 +201,19 @@ class CourseResources:
         platform = platform_by_id(self.store, course.platform_id)
         if not platform.names_shared or not course.memberships_url:
             return None
+        asked = platform.id, course.memberships_url  # SQLite gives the number of an erased course again
         with self._lock:
-            asking = self._asking.setdefault(course.id, threading.Lock())
+            asking = self._asking.setdefault(asked, threading.Lock())
         with asking:  # a platform that is slow to answer is asked once for all who look at the class
             with self._lock:
-                known = self._members.get(course.id)
+                known = self._members.get(asked)
             if known is not None and time.monotonic() < known[1]:
                 return known[0]
             found = self._asked_members(platform, course.memberships_url)
             with self._lock:
                 if len(self._members) >= _COURSES_KNOWN:
                     self._members.clear()
-                self._members[course.id] = (found, time.monotonic() + _MEMBERS_LIVE)
+                self._members[asked] = (found, time.monotonic() + _MEMBERS_LIVE)
             return found
 
     def _asked_members(self, platform: Platform, address: str) -> dict[str, str | None] | None:

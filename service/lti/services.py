@@ -28,8 +28,8 @@ class Services:
     def __init__(self, fetcher: Fetcher, key: Callable[[], StoredKey]) -> None:
         self._fetcher, self._key = fetcher, key
         self._lock = threading.Lock()
-        self._asking: dict[tuple[int, str], threading.Lock] = {}
-        self._tokens: dict[tuple[int, str], tuple[str, float]] = {}
+        self._asking: dict[tuple[str, ...], threading.Lock] = {}
+        self._tokens: dict[tuple[str, ...], tuple[str, float]] = {}
 
     def call(
         self,
@@ -61,7 +61,7 @@ class Services:
         return answer
 
     def _token(self, platform: Platform, scope: str, *, renew: bool) -> str:
-        key = (platform.id, scope)
+        key = (platform.token_endpoint, platform.client_id, scope)  # numbers of platforms are given again
         with self._lock:
             asking = self._asking.setdefault(key, threading.Lock())
         with asking:

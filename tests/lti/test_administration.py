@@ -8,11 +8,12 @@ from datetime import timedelta
 import httpx
 import pytest
 
-from courses.model import PlatformStatus
+from courses.model import Course, PlatformStatus
 from courses.people.administration import invite_administrator
 from courses.people.platforms import add_platform, platforms
 from courses.storage.database import Store
-from service.course_resources import now
+from service.course_resources import CourseResources, now
+from service.settings import Settings
 from tests.lti.classes import LEARNER, TEACHER, TEST_USER, Browser, Lms, hint
 from tests.lti.test_launches import RIGHT, WRONG
 
@@ -151,6 +152,25 @@ def test_names_come_from_the_platform_where_the_operator_lets_them(
     assert states == ["absent", "opened"]
     (counted,) = found["links"]
     assert (counted["absent"], counted["opened"]) == (1, 1)
+
+
+def test_a_course_with_the_number_of_an_erased_one_has_a_class_of_its_own(
+    settings: Settings, store: Store, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """SQLite gives the number of the last course again, and class lists are known for minutes."""
+    resources = CourseResources(settings)
+    own = platforms(store)[0]
+    add_platform(store, replace(own, names_shared=True), (), now())
+    monkeypatch.setattr(resources, "_asked_members", lambda _, address: {address: None})
+    try:
+        found = [
+            resources.class_members(Course(id=1, platform_id=own.id, title="", memberships_url=address))
+            for address in ("https://lms/1", "https://lms/2")
+        ]
+    finally:
+        add_platform(store, own, (), now())
+        resources.close()
+    assert found == [{"https://lms/1": None}, {"https://lms/2": None}]
 
 
 def test_a_test_user_of_the_platform_stands_in_no_number(browser: Browser, lms: Lms, service: str) -> None:

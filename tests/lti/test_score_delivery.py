@@ -266,6 +266,29 @@ def test_a_tool_that_gets_no_token_is_told_apart_from_a_score_that_is_refused(
     assert (report.delivery, report.status, report.problem) == (Delivery.LATER, status, told)
 
 
+def test_a_platform_with_the_number_of_a_removed_one_is_not_sent_its_token(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """SQLite gives the number of the last platform again; its token is valid for an hour."""
+    monkeypatch.setattr("service.lti.services.signed", lambda *_: "assertion")
+    sent: list[str | None] = []
+
+    def send(_: str, address: str, *, headers: dict[str, str], content: bytes | None) -> FetchedAnswer:
+        sent.append(headers.get("Authorization"))
+        body = orjson.dumps({"access_token": address, "expires_in": 3600})
+        return FetchedAnswer(address=address, status=200, headers={}, body=body)
+
+    fetcher: Any = SimpleNamespace(send=send)
+    key: Any = lambda: None  # noqa: E731
+    services = Services(fetcher, key)
+    for name in ("removed", "new"):
+        address = f"https://{name}.example/token"
+        platform: Any = SimpleNamespace(id=1, client_id="c", token_audience=None, token_endpoint=address)
+        services.call(platform, "scope", "GET", f"https://{name}.example/items", accept="")
+    tokens = [f"Bearer https://{name}.example/token" for name in ("removed", "new")]
+    assert list(filter(None, sent)) == tokens
+
+
 @pytest.mark.parametrize(
     ("status", "body", "made"),
     [(200, b"[]", 1), (404, b"", 1), (503, b"", 0), (429, b"", 0), (403, b"", 0), (200, b"{}", 0)],
