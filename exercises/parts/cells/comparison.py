@@ -20,6 +20,8 @@ from kinematics.se3 import Floats
 Expected: TypeAlias = Callable[[Samples], Floats]  # (k, 4, 4) that are right at samples.
 
 LAST_ROW = np.array([0.0, 0.0, 0.0, 1.0])
+LAST_ROW_ERROR = 1e-6
+"""Rounding, and nothing more: these four numbers are the same for every robot."""
 ALL_NAMED = 1e-6
 """Share of the robot's size: far above rounding, far below any length that could be left out."""
 
@@ -82,7 +84,7 @@ def agreeing(actual: Floats, wanted: Floats, size: float, tolerance: Tolerance) 
     """Return which cells of (k, 4, 4) matrices agree in every sample, (4, 4); lengths relative to size."""
     limit = np.full((4, 4), tolerance.angle)
     limit[:3, 3] = tolerance.length * size
-    limit[3] = 1e-6
+    limit[3] = LAST_ROW_ERROR
     with np.errstate(invalid="ignore"):
         close = np.abs(actual - wanted) <= limit
     return np.asarray(close.all(axis=0), dtype=np.bool_)
@@ -155,8 +157,13 @@ def is_rigid(poses: Floats, tolerance: Tolerance) -> bool:
     return bool(
         (np.abs(gram - np.eye(3)) <= limit).all()
         and (np.linalg.det(rotation) > 0).all()
-        and (np.abs(poses[..., 3, :] - LAST_ROW) <= 1e-6).all()
+        and has_last_row(poses)
     )
+
+
+def has_last_row(poses: Floats) -> bool:
+    """Return whether the last row of (…, 4, 4) matrices is 0 0 0 1."""
+    return bool((np.abs(poses[..., 3, :] - LAST_ROW) <= LAST_ROW_ERROR).all())
 
 
 def cell_facts(cells: NDArray[np.bool_]) -> list[Fact]:

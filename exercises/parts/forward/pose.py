@@ -23,6 +23,7 @@ from exercises.parts.cells.comparison import (
     agreeing,
     cell_facts,
     halves_right,
+    has_last_row,
     transposed_cells,
     transposed_rotation,
 )
@@ -93,7 +94,7 @@ class PosePartType(PartType[PosePart, CellMatrix, Floats]):
     given: ClassVar = PoseTask
     follows_table = True
     disclosures: ClassVar = {
-        **told_from(HelpLevel.ROW, "pose_rotation_right", "pose_position_right"),
+        **told_from(HelpLevel.ROW, "pose_last_row", "pose_rotation_right", "pose_position_right"),
         **told_from(HelpLevel.REPAIR, "pose_inverse", "pose_rotation_transposed", "pose_degrees_as_radians"),
     }
 
@@ -250,6 +251,8 @@ def _feedback(
         return bool(agreeing(answer[None], other[None], context.size, allowed).all())
 
     yield Feedback(code="pose_wrong")
+    if not has_last_row(answer):
+        yield Feedback(code="pose_last_row")
     if score:
         rotation = agreeing(answer[None], pose[None], context.size, allowed)[:3, :3].all()
         yield Feedback(code="pose_rotation_right" if rotation else "pose_position_right")

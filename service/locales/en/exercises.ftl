@@ -129,6 +129,7 @@ feedback-transform_links_missing = This is the product up to frame { $last } onl
 feedback-pose_right = The pose is right.
 feedback-pose_follows_table = The pose follows from your table and earns its points, although the table is not right.
 feedback-pose_wrong = The pose is not the one that your table gives for these joint values.
+feedback-pose_last_row = The last row of a pose is 0 0 0 1; with another one the matrix is not a pose and earns no points.
 feedback-pose_rotation_right = The rotation is right.
 feedback-pose_position_right = The position is right.
 feedback-pose_inverse = This is the inverse of the pose.

@@ -129,6 +129,7 @@ feedback-transform_links_missing = Este es el producto solo hasta el sistema { $
 feedback-pose_right = La pose es correcta.
 feedback-pose_follows_table = La pose se sigue de su tabla y recibe sus puntos, aunque la tabla no es correcta.
 feedback-pose_wrong = Esta pose no es la que su tabla da para estos valores articulares.
+feedback-pose_last_row = La última fila de una pose es 0 0 0 1; con otra, la matriz no es una pose y no recibe puntos.
 feedback-pose_rotation_right = La rotación es correcta.
 feedback-pose_position_right = La posición es correcta.
 feedback-pose_inverse = Esta es la inversa de la pose.

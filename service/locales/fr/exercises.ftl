@@ -129,6 +129,7 @@ feedback-transform_links_missing = C’est le produit jusqu’au repère { $last
 feedback-pose_right = La pose est juste.
 feedback-pose_follows_table = La pose découle de votre tableau et rapporte ses points, bien que le tableau ne soit pas juste.
 feedback-pose_wrong = Cette pose n’est pas celle que votre tableau donne pour ces valeurs articulaires.
+feedback-pose_last_row = La dernière ligne d’une pose est 0 0 0 1 ; avec une autre, la matrice n’est pas une pose et ne rapporte aucun point.
 feedback-pose_rotation_right = La rotation est juste.
 feedback-pose_position_right = La position est juste.
 feedback-pose_inverse = C’est l’inverse de la pose.

@@ -129,6 +129,7 @@ feedback-transform_links_missing = Este é o produto só até ao referencial { $
 feedback-pose_right = A pose está certa.
 feedback-pose_follows_table = A pose decorre da sua tabela e recebe os seus pontos, embora a tabela não esteja certa.
 feedback-pose_wrong = Esta pose não é a que a sua tabela dá para esses valores das juntas.
+feedback-pose_last_row = A última linha de uma pose é 0 0 0 1; com outra, a matriz não é uma pose e não recebe pontos.
 feedback-pose_rotation_right = A rotação está certa.
 feedback-pose_position_right = A posição está certa.
 feedback-pose_inverse = Esta é a inversa da pose.

@@ -131,6 +131,7 @@ feedback-transform_links_missing = Acesta este produsul doar până la sistemul 
 feedback-pose_right = Situarea este corectă.
 feedback-pose_follows_table = Situarea rezultă din tabelul dumneavoastră și își primește punctele, deși tabelul nu este corect.
 feedback-pose_wrong = Aceasta nu este situarea pe care o dă tabelul dumneavoastră pentru aceste valori ale cuplelor.
+feedback-pose_last_row = Ultimul rând al unei situări este 0 0 0 1; cu altul, matricea nu este o situare și nu primește puncte.
 feedback-pose_rotation_right = Rotația este corectă.
 feedback-pose_position_right = Poziția este corectă.
 feedback-pose_inverse = Aceasta este inversa situării.

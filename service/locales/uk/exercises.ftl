@@ -135,6 +135,7 @@ feedback-transform_links_missing = Це добуток лише до систе�
 feedback-pose_right = Поза правильна.
 feedback-pose_follows_table = Поза випливає з вашої таблиці й отримує свої бали, хоча таблиця неправильна.
 feedback-pose_wrong = Це не та поза, яку дає ваша таблиця для цих значень у зчленуваннях.
+feedback-pose_last_row = Останній рядок пози — 0 0 0 1; з іншим матриця не є позою й не отримує балів.
 feedback-pose_rotation_right = Поворот правильний.
 feedback-pose_position_right = Положення правильне.
 feedback-pose_inverse = Це обернена поза.

@@ -207,10 +207,17 @@ def displaced(pose: np.ndarray) -> np.ndarray:
     return other
 
 
+def with_another_last_row(pose: np.ndarray) -> np.ndarray:
+    other = pose.copy()
+    other[3] = [0, 0, 0, 2]
+    return other
+
+
 @pytest.mark.parametrize(
     ("change", "told", "score"),
     [
         (displaced, ["pose_wrong", "pose_rotation_right"], 0.5),
+        (with_another_last_row, ["pose_wrong", "pose_last_row"], 0.0),
         (in_degrees, ["pose_wrong", "pose_degrees_as_radians"], 0.0),
         (lambda pose: np.eye(4), ["pose_wrong"], 0.0),
     ],
