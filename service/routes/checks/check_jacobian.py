@@ -77,7 +77,7 @@ class CheckJacobianFormRequest(JacobianCheck):
     )
     wrench: Annotated[list[Cell], Field(min_length=6, max_length=6)] | None = Field(
         None,
-        description="force and moment that the hand exerts at the last origin: numbers, or fx, fy, fz, mx, my, mz",
+        description="force and moment of the hand, at the last origin: numbers, or fx, fy, fz, mx, my, mz",
     )
     joint_forces: FormRow | None = Field(None, description="τ = Jᵀ · wrench, one expression for each joint")
     tolerance: Share = Field(
