@@ -24,6 +24,7 @@ from service.schemas.exercises.evaluation import EvaluateRequest, SubmissionType
 VERSION = "0.1.0"
 TABLE_FORMAT = "dh_table"
 ANSWER_FORMAT = "exercise_answer"
+_NAMES_EXERCISE = "exercise"  # Member that may name the exercise, of the task's metadata and of the content.
 EVALUATED = (SubmissionType.MODEL, SubmissionType.OTHER)
 _DETAIL = {"BRIEF": HelpLevel.ROW, "MEDIUM": HelpLevel.KIND, "DETAILED": HelpLevel.REPAIR}
 
@@ -74,8 +75,9 @@ def judged(request: EvaluateRequest, language: str, library: Library) -> JudgedA
     if submission.type not in EVALUATED:
         known = tuple(kind.value for kind in EVALUATED)
         raise NotEvaluatedError(Fault.at("artefact_unknown", type=submission.type.value, known=known))
-    exercise_id = _exercise(request, library)
-    answer = _answer(submission.content)
+    content = _model(submission.content)
+    exercise_id = _exercise(request, content, library)
+    answer = _answer(content)
     if isinstance(answer.get("table"), Mapping):
         answer["table"] = with_joint_types(exercise_id, answer["table"], library)
     seed = (request.task.metadata or {}).get("seed") if request.task else None
@@ -94,17 +96,22 @@ def is_check(request: EvaluateRequest) -> bool:
     return bool(request.pre_submission_feedback and request.pre_submission_feedback.enabled)
 
 
-def _answer(content: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the answer that content holds: as it stands, or where µEd puts a model, as an object or text."""
+def _model(content: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Return what content holds: as it stands, or where µEd puts a model, as an object or text."""
     for member in ("model", "value"):
         held = content.get(member)
         if isinstance(held, str):
             with suppress(ServiceError):
                 held = decode_json(held.encode("utf-8", "replace"))
         if isinstance(held, Mapping):
-            content = held
-            break
-    return {"table": dict(content)} if "rows" in content else dict(content)
+            return {_NAMES_EXERCISE: content.get(_NAMES_EXERCISE), **held}
+    return content
+
+
+def _answer(content: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the answer in content: a table alone, or the parts of an exercise."""
+    answer = {name: value for name, value in content.items() if name != _NAMES_EXERCISE}
+    return {"table": answer} if "rows" in answer else answer
 
 
 def checked(judged: JudgedAnswer | NotGraded, language: str) -> list[dict[str, Any]]:
@@ -171,14 +178,14 @@ def _refusals(judged: NotGraded, language: str) -> list[dict[str, Any]]:
     ]
 
 
-def _exercise(request: EvaluateRequest, library: Library) -> str:
+def _exercise(request: EvaluateRequest, content: Mapping[str, Any], library: Library) -> str:
     """Return the exercise that a request means; a platform has ids of its own, so any member may name it."""
     task = request.task
     candidates = (
-        (task.metadata or {}).get("exercise") if task else None,
+        (task.metadata or {}).get(_NAMES_EXERCISE) if task else None,
         task.task_id if task else None,
         request.submission.task_id,
-        request.submission.content.get("exercise"),
+        content.get(_NAMES_EXERCISE),
     )
     for candidate in candidates:
         if isinstance(candidate, str) and (found := exercise_named(candidate, library)):

@@ -99,11 +99,15 @@ def test_what_cannot_be_graded_is_feedback(client: httpx.Client) -> None:
         {"task": None, "submission": {"type": "MODEL", "content": TABLE, "taskId": "twolink"}},
         {"task": {"metadata": {"exercise": "Two Link"}, "referenceSolution": None}},
         {"task": {}, "submission": {"type": "OTHER", "content": {"table": TABLE, "exercise": "twolink"}}},
+        {"task": {}, "submission": {"type": "MODEL", "content": {**TABLE, "exercise": "twolink"}}},
+        {"task": {}, "submission": {"type": "MODEL", "content": {"model": TABLE, "exercise": "twolink"}}},
+        {"task": {}, "submission": {"type": "MODEL", "content": {"model": {**TABLE, "exercise": "twolink"}}}},
     ],
 )
 def test_an_exercise_may_be_named_in_any_member(client: httpx.Client, task: dict[str, Any]) -> None:
     response = evaluate(client, {**request(), **task})
     assert response.status_code == 200, response.text
+    assert response.json()[0]["awardedPoints"] > 0
 
 
 @pytest.mark.parametrize(
@@ -196,6 +200,8 @@ def test_an_evaluation_function_judges_as_evaluate_does(client: httpx.Client) ->
     told = {name: value for name, value in TABLE.items() if name != "rows"}
     alone = {"response": TABLE["rows"], "answer": "twolink", "params": told}
     assert function(client, alone)["result"] == right["result"]
+    named = function(client, {"response": {**TABLE, "exercise": "twolink"}})
+    assert named == right
     wrong = function(client, {"response": WRONG, "answer": "twolink", "params": {"language": "fr"}}, "eval")
     assert wrong["result"]["is_correct"] is False
     assert 0 < wrong["result"]["mark"] < 1

@@ -41,9 +41,6 @@ class EvaluationTask(_Lenient):
     """What the learner was asked."""
 
     task_id: str | None = Field(None, description="id of an exercise of this service")
-    reference_solution: dict[str, Any] | None = Field(
-        None, description="a DH table to judge by, instead of an exercise"
-    )
     metadata: dict[str, Any] | None = Field(None, description="`exercise` and `seed`")
 
 
