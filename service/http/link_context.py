@@ -106,7 +106,7 @@ def verified(token: str, secret: bytes, now: float | None = None) -> LinkContext
 
 
 def token_of(fields: Mapping[bytes, bytes], query: bytes) -> str | None:
-    """Return the token that a request brings, in its header, else its query, else its cookie."""
+    """Return the token that a request names, in its header, or else in its query."""
     header = fields.get(HEADER.lower().encode())
     if header is not None:
         return header.decode("latin-1")
@@ -114,6 +114,11 @@ def token_of(fields: Mapping[bytes, bytes], query: bytes) -> str | None:
         found = parse_qs(query.decode("latin-1")).get(QUERY)
         if found:
             return found[-1]
+    return None
+
+
+def kept_token(fields: Mapping[bytes, bytes]) -> str | None:
+    """Return the token that a browser has kept in its cookie."""
     cookie = fields.get(b"cookie", b"")
     if COOKIE.encode() not in cookie:
         return None

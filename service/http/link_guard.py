@@ -11,7 +11,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from exercises.access import Tool
 from exercises.library import Library
 from kinematics.errors import Fault
-from service.http.link_context import COOKIE, QUERY, LinkContext, token_of, verified
+from service.http.link_context import COOKIE, QUERY, LinkContext, kept_token, token_of, verified
 from service.http.problem_answers import refuse
 from service.http.problems import ForbiddenError, RequestPart, ServiceError
 
@@ -74,23 +74,29 @@ class LinkGuard:
         if scope["type"] != "http":
             await self._app(scope, receive, send)
             return
-        token = token_of(dict(scope["headers"]), scope["query_string"])
+        fields = dict(scope["headers"])
+        named = token_of(fields, scope["query_string"])
+        token = kept_token(fields) if named is None else named
         if token is None:
             await self._app(scope, receive, send)
             return
         try:
             context = verified(token, self._secret)
-            self._check(scope["path"].removeprefix(scope.get("root_path", "")), context)
         except ServiceError as error:
-            await refuse(error, scope, receive, send)
+            if named is None:  # a link that has ended keeps nobody from what they come by another one for
+                await self._app(scope, receive, _with_cookie(send, no_cookie(scope["scheme"])))
+            else:
+                await refuse(error, scope, receive, send)
+            return
+        path = scope["path"].removeprefix(scope.get("root_path", ""))
+        if not may_open(path, context, self._library):
+            switched_off = Fault.at("switched_off", path, path=path)
+            await refuse(ForbiddenError(switched_off, part=RequestPart.PATH), scope, receive, send)
             return
         scope[CONTEXT] = context
-        await self._app(scope, receive, _with_cookie(send, scope, token))
-
-    def _check(self, path: str, context: LinkContext) -> None:
-        """Refuse a path that the context, or its exercise, switches off."""
-        if not may_open(path, context, self._library):
-            raise ForbiddenError(Fault.at("switched_off", path, path=path), part=RequestPart.PATH)
+        opens_page = QUERY.encode() in scope["query_string"] and not scope["path"].startswith("/api/")
+        cookie = _cookie(token, scope["scheme"])
+        await self._app(scope, receive, _with_cookie(send, cookie) if opens_page else send)
 
 
 def may_open(path: str, context: LinkContext, library: Library) -> bool:
@@ -130,16 +136,21 @@ def switched_off(request: Request, tool: Tool, library: Library) -> bool:
     return tool in off_under(context, library)
 
 
-def _with_cookie(send: Send, scope: Scope, token: str) -> Send:
-    """Keep the context of a page for all that the student opens from there in the same browser."""
-    if QUERY.encode() not in scope["query_string"] or scope["path"].startswith("/api/"):
-        return send
-    secure = "; SameSite=None; Secure; Partitioned" if scope["scheme"] == "https" else "; SameSite=Lax"
-    cookie = f"{COOKIE}={token}; Path=/; HttpOnly{secure}".encode("latin-1")
+def no_cookie(scheme: str) -> str:
+    """Return the field Set-Cookie that makes a browser forget the context of a link."""
+    return f"{_cookie('', scheme)}; Max-Age=0"
 
+
+def _cookie(token: str, scheme: str) -> str:
+    """The field Set-Cookie that keeps a context for all that the student opens in the same browser."""
+    secure = "; SameSite=None; Secure; Partitioned" if scheme == "https" else "; SameSite=Lax"
+    return f"{COOKIE}={token}; Path=/; HttpOnly{secure}"
+
+
+def _with_cookie(send: Send, cookie: str) -> Send:
     async def sending(message: Message) -> None:
         if message["type"] == "http.response.start":
-            message["headers"] = [*message["headers"], (b"set-cookie", cookie)]
+            message["headers"] = [*message["headers"], (b"set-cookie", cookie.encode("latin-1"))]
         await send(message)
 
     return sending

@@ -16,11 +16,16 @@ export const assets = new URL(relativeAssets || "./static/dev", location.href).h
 export const api = new Api(`${root}api/v1/`, language);
 api.context = linkContext();
 
-/** The signed settings of the link by which somebody came to this tab, also on the pages that they go on to. */
+/**
+ * The signed settings of the link by which somebody came to this tab, also on the pages that they go on to; a launch from a
+ * course ends them.
+ */
 function linkContext() {
   const here = new URLSearchParams(location.search).get("context");
+  const told = new URLSearchParams(location.hash.slice(1));
   try {
     if (here) sessionStorage.setItem("framewise:context", here);
+    else if (told.has("session") || told.has("choice")) sessionStorage.removeItem("framewise:context");
     return here ?? sessionStorage.getItem("framewise:context") ?? "";
   } catch {
     return here ?? "";

@@ -31,6 +31,17 @@ def test_a_mark_arrives_in_the_gradebook(browser: Browser, lms: Lms) -> None:
     assert lms.state()["refused"] == []
 
 
+def test_a_launch_ends_what_a_link_has_left_behind(browser: Browser) -> None:
+    """The cookie of a link to another exercise refused the page that the launch leads to."""
+    link = browser.api("POST", "exercises/scara/links", {"off": ["playground"]}).json()["context"]
+    browser.cookies["framewise_context"] = link
+    answer = browser.launch("ann", hint(custom=CUSTOM, resource="left"))
+    assert answer.status_code == 303
+    (forgotten,) = (field for field in answer.headers.get_list("set-cookie") if "framewise_context=" in field)
+    assert forgotten.startswith("framewise_context=;")
+    assert "Max-Age=0" in forgotten
+
+
 WRONG = {"table": {**RIGHT["table"], "rows": [{**row, "alpha": "0"} for row in PUMA["rows"]]}}
 
 

@@ -137,6 +137,19 @@ def test_a_page_keeps_the_context_for_what_is_opened_from_it(service: httpx.Clie
         assert browser.get("/playground").status_code == 403
 
 
+def test_a_link_that_has_ended_keeps_nobody_out(service: httpx.Client) -> None:
+    """Its cookie stood in the way of all pages and launches until the browser was closed."""
+    ended = signed(LinkContext(exercise="scara", expires=1), SECRET)
+    for token in (ended, f"{ended[:-1]}_", "changed"):
+        with httpx.Client(base_url=service.base_url, timeout=120) as browser:
+            browser.cookies.set("framewise_context", token)
+            page = browser.get("/")
+            assert page.status_code == 200
+            assert page.headers["set-cookie"].startswith("framewise_context=;")
+            assert page.headers["set-cookie"].endswith("Max-Age=0")
+    assert service.get("/exercises/scara", params={"context": ended}).status_code == 403
+
+
 def test_a_forged_context_opens_nothing(service: httpx.Client) -> None:
     forged = {HEADER: signed(LinkContext(exercise="scara"), b"guessed")}
     answer = service.get("/api/v1/exercises/scara", headers=forged)

@@ -23,6 +23,7 @@ from courses.refusals import NoExerciseError, StaffOnlyError
 from kinematics.errors import Fault
 from service.course_resources import CourseResources, now
 from service.http.forms import form_of, own_root
+from service.http.link_guard import no_cookie
 from service.http.problems import MethodError, ServiceError
 from service.lti.fetching import http_address, origin_of
 from service.lti.launch import Expected, Launch, read_launch
@@ -205,23 +206,25 @@ def _opened(request: Request, courses: CourseResources, content: Mapping[str, An
             "settings": content["deep_linking"],
         }
         code = issue_code(courses.store, "deep-link", kept, now(), CHOICE_LIFE)
-        return _redirect(f"{root}lti/choose", query, f"choice={code}")
+        return _redirect(request, f"{root}lti/choose", query, f"choice={code}")
     token, _ = arrive(courses.store, arrival, now())
     code = issue_code(courses.store, "session", {"token": token}, now(), CODE_LIFE)
     session = session_of(courses.store, token, now())
     if session.role is Role.STAFF:
-        return _redirect(f"{root}course", query, f"session={code}")
+        return _redirect(request, f"{root}course", query, f"session={code}")
     chosen = session.link.settings
     if chosen.exercise_id is None:
         raise NoExerciseError
     query |= {"lang": chosen.language} if chosen.language else {}
     query |= {"seed": seed} if (seed := seed_of(session)) else {}
-    return _redirect(f"{root}exercises/{chosen.exercise_id}", query, f"session={code}")
+    return _redirect(request, f"{root}exercises/{chosen.exercise_id}", query, f"session={code}")
 
 
-def _redirect(address: str, query: Mapping[str, str], fragment: str) -> Response:
+def _redirect(request: Request, address: str, query: Mapping[str, str], fragment: str) -> Response:
+    """Go where a launch leads; a link that the browser came by before has no say there."""
     joined = f"{address}?{urlencode(query)}" if query else address
-    return RedirectResponse(f"{joined}#{fragment}", 303, {"Cache-Control": "no-store"})
+    headers = {"Cache-Control": "no-store", "Set-Cookie": no_cookie(request.url.scheme)}
+    return RedirectResponse(f"{joined}#{fragment}", 303, headers)
 
 
 def _language(locale: str | None) -> str | None:
