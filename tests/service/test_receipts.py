@@ -64,6 +64,17 @@ def test_a_page_that_was_printed_to_a_file_is_a_receipt(client: httpx.Client) ->
     assert said["name"] == "Ann"
 
 
+def test_a_receipt_too_long_for_a_code_is_given_without_one(client: httpx.Client) -> None:
+    """A long name and a long seed of signs beyond ASCII, each within its limit, were answered with 500."""
+    exercise, long = f"{API}/exercises/twolink", "\N{ROBOT FACE}" * 200
+    link = client.post(f"{exercise}/links", json={"seed": long}).json()
+    body, headers = {**RIGHT, "name": long}, {"X-Framewise-Context": link["context"]}
+    answer = client.post(f"{exercise}/receipts", json=body, headers=headers)
+    assert (answer.status_code, answer.json()["qr"]) == (200, "")
+    page = client.post(f"{exercise}/receipts.pdf", json=body, headers=headers)
+    assert page.content.startswith(b"%PDF")
+
+
 def test_a_gradebook_file(client: httpx.Client) -> None:
     body = {"receipts": [issued(client)]}
     for form in ("csv", "moodle", "canvas"):

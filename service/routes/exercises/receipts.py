@@ -1,6 +1,7 @@
 """POST /exercises/{exercise_id}/receipts and receipts.pdf: receipts given for a verdict."""
 
 import io
+from contextlib import suppress
 from datetime import UTC, datetime
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -49,7 +50,7 @@ class IssuedReceipt(Wire):
     """A receipt for a verdict."""
 
     receipt: str = Field(description="compact JWS (RFC 7515), EdDSA")
-    qr: str = Field(description="the same as a QR code, an SVG picture")
+    qr: str = Field(description="the same as a QR code, an SVG picture; empty if it is too long for one")
     points: Real
     max_points: Real
     issued: str = Field(description="when, in UTC (ISO 8601)")
@@ -108,7 +109,9 @@ async def receipt_page(
 
         instance = instance_of(resources.exercises, exercise_id, receipt.seed)
         sheet = _sheet(instance, receipt, token, body, language)
-        return pdf_of(sheet, figure=figure_file(instance, language).decode(), code=_code(token).matrix)
+        code = _code(token)
+        drawn = () if code is None else code.matrix
+        return pdf_of(sheet, figure=figure_file(instance, language).decode(), code=drawn)
 
     page = await resources.limiters[WorkKind.DRAWING].run(work)
     headers = {
@@ -194,13 +197,19 @@ def _of_link(context: LinkContext) -> dict[str, Any]:
     return {name: value for name, value in told.items() if value}
 
 
-def _code(token: str) -> segno.QRCode:
-    return segno.make(token, micro=False, error="l")
+def _code(token: str) -> segno.QRCode | None:
+    """Return the QR code of a receipt; None of one too long for any: a name of 200 emoji, and such a seed."""
+    with suppress(segno.DataOverflowError):
+        return segno.make(token, micro=False, error="l")
+    return None
 
 
 def _picture(token: str) -> str:
+    code = _code(token)
+    if code is None:
+        return ""
     stream = io.BytesIO()
-    _code(token).save(
+    code.save(
         stream, kind="svg", xmldecl=False, svgns=True, scale=3, dark="#000", light="#fff", omitsize=True
     )
     return stream.getvalue().decode()
