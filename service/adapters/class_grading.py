@@ -43,14 +43,13 @@ class ClassSettings:
     folders: tuple[Path, ...] = ()
 
 
-def require_exercise(name: str, folders: tuple[Path, ...]) -> None:
-    """Make sure that there is an exercise of a name, which holds for a whole class.
+def exercise_meant(name: str, library: Library) -> str:
+    """Return the id of the exercise of a name, which holds for a whole class.
 
     Raises:
         UnknownExerciseError: there is none.
     """
-    library = Library(folders)
-    library.exercise(exercise_named(name, library) or name)
+    return library.exercise(exercise_named(name, library) or name).id
 
 
 def grade_class(

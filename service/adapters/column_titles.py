@@ -11,8 +11,10 @@ _COLUMNS = {
     "d": "d di linkoffset offset",
     "a": "a ai r ri linklength ai-1 a(i-1)",
     "alpha": "alpha α alphai αi linktwist twist alphai-1 αi-1 alpha(i-1) α(i-1) alfa альфа",
-    "joint": "joint type jointtype sigma σ",
-    "student": "student studentid user username userid login email name id",
+    "joint": "joint",
+    "type": "type jointtype sigma σ",
+    "student": "student name",
+    "identifier": "studentid user username userid login email e-mail id",
     "exercise": "exercise robot task",
     "convention": "convention",
     "link": "link row i linki # frame no nr",
@@ -33,6 +35,12 @@ def column_of(title: str) -> str:
     return _MEANING.get(re.sub(r"[\s_{}$\\*]", "", bare), "")
 
 
+def columns_of(header: Sequence[str]) -> list[str]:
+    """Return the columns that titles mean; "" for what is unknown, or stands before under another title."""
+    meant = [column_of(title) for title in header]
+    return ["" if column in meant[:i] else column for i, column in enumerate(meant)]
+
+
 def _plain(title: str) -> str:
     """A title in lower case, its indices on the line: aᵢ₋₁ as ai-1."""
     return normalize("NFKC", title.strip().lower()).replace("−", "-")
@@ -41,9 +49,8 @@ def _plain(title: str) -> str:
 def told_by(header: Sequence[str]) -> Iterator[tuple[str, str]]:
     """Yield convention and units as the titles name them: a_{i-1}, alpha (deg), d [mm]."""
     for title in header:
-        found = _UNIT_IN_HEADER.search(_plain(title))
         column = column_of(title)
-        if found:
+        if column in CELLS and (found := _UNIT_IN_HEADER.search(_plain(title))):
             yield "angle_unit" if column in ANGLES else "length_unit", _UNITS.get(found[1], found[1])
         if column in ("a", "alpha") and re.search(r"i\s*-\s*1", _plain(title)):
             yield "convention", "modified"

@@ -111,7 +111,8 @@ def _write_canvas(entries: Sequence[GradebookEntry], writer: "csv._writer") -> N
         students.setdefault((entry.student, entry.identifier or ""), {})[entry.exercise] = entry.points
     for (student, identifier), points in students.items():
         given = (_number(points.get(name)) for name in exercises)
-        writer.writerow((safe(student), safe(identifier), "" if identifier else safe(student), "", *given))
+        number, login = (identifier, "") if identifier.isdecimal() else ("", identifier or student)
+        writer.writerow((safe(student), number, safe(login), "", *given))
 
 
 def _plain_row(entry: GradebookEntry) -> tuple[str, ...]:

@@ -1,5 +1,6 @@
 """What a class handed in: a file, a folder of files, or the archive that an LMS hands out."""
 
+import os
 import re
 import zipfile
 import zlib
@@ -64,7 +65,7 @@ def hand_ins(path: Path, settings: TableSettings) -> Iterator[HandIn]:
             yield HandIn(student=student, source=name, found=None, faults=error.faults, identifier=identifier)
             continue
         for found in tables:
-            own = None if found.student else identifier
+            own = found.identifier if found.student else identifier
             yield HandIn(student=found.student or student, source=name, found=found, identifier=own)
 
 
@@ -87,11 +88,22 @@ def left_out(path: Path) -> list[str]:
 def _names(path: Path) -> list[str] | None:
     """Return the files of a folder or archive; None for a file that stands alone."""
     if path.is_dir():
-        return [file.relative_to(path).as_posix() for file in path.rglob("*") if file.is_file()]
+        return list(_of_folder(path))
     if path.suffix.lower() != ".zip":
         return None
     with zipfile.ZipFile(path) as archive:
         return list(_members(archive))
+
+
+def _of_folder(path: Path) -> dict[str, Path]:
+    """Return the files of a folder by their names."""
+    files = (file for file in path.rglob("*") if file.is_file())
+    return {_readable(file.relative_to(path).as_posix()): file for file in files}
+
+
+def _readable(name: str) -> str:
+    """A file's name as text that can be written: archives from Windows leave names that are no UTF-8."""
+    return os.fsencode(name).decode("utf-8", "backslashreplace")
 
 
 def _members(archive: zipfile.ZipFile) -> dict[str, zipfile.ZipInfo]:
@@ -113,6 +125,7 @@ def student_of(name: str) -> str:
 
     Otherwise the folder that the file lies in names the student, or else the file does.
     """
+    name = normalize("NFC", name)  # however an accent is encoded in a file's name, it is one person's
     if found := _scheme_of(name):
         return found["name"]
     parts = PurePosixPath(name).parts
@@ -158,7 +171,7 @@ def _person(name: str) -> tuple[str, str | None]:
 def _files(path: Path) -> Iterator[tuple[str, bytes | RequestError]]:
     """Yield names with contents, or why there is none: a damaged file is one student's."""
     if path.is_dir():
-        found = {file.relative_to(path).as_posix(): file for file in path.rglob("*") if file.is_file()}
+        found = _of_folder(path)
         for name in _worth_a_line(sorted(found), path):
             try:
                 with found[name].open("rb") as stream:
@@ -170,7 +183,7 @@ def _files(path: Path) -> Iterator[tuple[str, bytes | RequestError]]:
     else:
         try:
             with path.open("rb") as stream:
-                yield path.name, stream.read(LARGEST_FILE + 1)
+                yield _readable(path.name), stream.read(LARGEST_FILE + 1)
         except FileNotFoundError:
             raise _unreadable("file_missing", path.name) from None
         except OSError as error:

@@ -5,15 +5,16 @@ import csv
 import io
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import date, time, timedelta
+from itertools import islice
 from pathlib import PurePosixPath
 from typing import Any, TypeAlias
-from unicodedata import normalize
 
 from kinematics.errors import Fault
 from kinematics.table import CELLS
-from service.adapters.column_titles import column_of, is_header, repeated_titles, told_by
+from service.adapters.class_rows import groups_of, name_in, records_of, row_of
+from service.adapters.column_titles import column_of, columns_of, is_header, repeated_titles, told_by
 from service.adapters.workbooks import UnreadableError, sheets_of
 from service.http.decoding import JsonLimits, decode_json
 from service.http.problems import RequestError, ServiceError
@@ -33,11 +34,6 @@ _JSON_LIMITS = JsonLimits(
 )
 """As many rows as other files may have, each an object of eight values at most."""
 
-_JOINT_TYPES = {
-    "r": "revolute", "revolute": "revolute", "rotational": "revolute", "0": "revolute",
-    "p": "prismatic", "prismatic": "prismatic", "1": "prismatic", "t": "prismatic", "linear": "prismatic",
-    "f": "fixed", "fixed": "fixed",
-}  # fmt: skip
 _HEADER_WITHIN = 50  # Lines in which the names of the columns are looked for, to tell what separates them.
 _RULE = re.compile(":?-{3,}:?")  # What stands below each title of a table in Markdown.
 _TWO_ARGUMENTS = "atan2("  # Behind it a comma between digits is no decimal one.
@@ -63,11 +59,13 @@ class FoundTable:
 
     Attributes:
         student: who handed it in, where the file says so.
+        identifier: what tells the student from others of that name, where the file has a column for it, too.
         exercise: the exercise or robot, where the file says so.
         table: the table as POST /exercises/{id}/grade takes it.
     """
 
     student: str | None
+    identifier: str | None = None
     exercise: str | None
     table: Mapping[str, Any]
 
@@ -113,7 +111,7 @@ def _json_tables(
     if depth > MOST_LEVELS:
         return
     if isinstance(document, list):
-        for entry in document[:MOST_ROWS]:
+        for entry in document:
             if isinstance(entry, Mapping):
                 yield from _json_tables(name, entry, settings, student, exercise, depth + 1)
         return
@@ -127,7 +125,8 @@ def _json_tables(
         yield FoundTable(student=student, exercise=exercise, table=_json_table(document, settings))
     elif columns := _json_columns(name, document):
         rows = _rows_of_columns(name, columns, document.get("joint_types"))
-        table = {**_head(settings, document), "rows": rows}
+        told = _told_by(name, tuple(document))
+        table = {**_head(settings, {**told, **document}), "rows": rows}
         yield FoundTable(student=student, exercise=exercise, table=table)
     else:
         for key, entry in document.items():
@@ -149,6 +148,15 @@ def _json_columns(name: str, document: Mapping[str, Any]) -> dict[str, list[obje
     return {column: values for key, values in lists.items() if (column := column_of(key)) in CELLS}
 
 
+def _told_by(name: str, titles: Sequence[str]) -> dict[str, str]:
+    """Convention and units as titles name them, the same for all angles and for all lengths."""
+    told: dict[str, str] = {}
+    for kind, value in told_by(titles):
+        if told.setdefault(kind, value) != value:
+            raise _refused("units_differ", name, units=(told[kind], value))
+    return told
+
+
 def _refuse_repeated(name: str, titles: Sequence[str]) -> None:
     if repeated := repeated_titles(titles):
         raise _refused("columns_repeated", name, titles=tuple(repeated))
@@ -157,20 +165,15 @@ def _refuse_repeated(name: str, titles: Sequence[str]) -> None:
 def _rows_of_columns(
     name: str, columns: Mapping[str, list[object]], types: object
 ) -> list[dict[str, object]]:
-    lengths = {len(values) for values in columns.values()}
-    if len(lengths) > 1:
+    typed = {**columns, "type": types} if isinstance(types, list) else columns
+    if len({len(values) for values in typed.values()}) > 1:
         raise _refused("columns_differ_in_length", name)
-    rows = [dict(zip(columns, cells, strict=True)) for cells in zip(*columns.values(), strict=True)]
-    if isinstance(types, list):
-        for row, kind in zip(rows, types, strict=False):
-            if joint := _JOINT_TYPES.get(str(kind).strip().lower()):
-                row["joint"] = joint
-    return rows
+    return [row_of(dict(zip(typed, cells, strict=True))) for cells in zip(*typed.values(), strict=True)]
 
 
 def _workbook_tables(name: str, content: bytes, settings: TableSettings) -> Iterator[FoundTable]:
     try:
-        sheets = sheets_of(content, MOST_ROWS, _MOST_CELLS)
+        sheets = sheets_of(content, MOST_ROWS + 1, _MOST_CELLS)
     except UnreadableError as error:
         raise _refused("file_unreadable", name, reason=str(error)) from None
     widths = [_width(grid) for _, grid in sheets]
@@ -178,8 +181,7 @@ def _workbook_tables(name: str, content: bytes, settings: TableSettings) -> Iter
     for (title, grid), width in zip(sheets, widths, strict=True):
         if width and width >= least:
             for found in _grid_tables(name, grid, settings):
-                exercise = found.exercise or (title if len(sheets) > 1 else None)
-                yield FoundTable(student=found.student, exercise=exercise, table=found.table)
+                yield replace(found, exercise=found.exercise or (title if len(sheets) > 1 else None))
 
 
 def _width(grid: Grid) -> int:
@@ -187,8 +189,12 @@ def _width(grid: Grid) -> int:
     return max((sum(cell not in ("", None) for cell in row) for row in grid), default=0)
 
 
-def _decoded(name: str, content: bytes) -> str:
-    """The text of a file: UTF-8, UTF-16 as Excel's "Unicode text" is, or Windows' Western one."""
+def decoded(name: str, content: bytes) -> str:
+    """Return the text of a file: UTF-8, UTF-16 as Excel's "Unicode text" is, or Windows' Western one.
+
+    Raises:
+        RequestError: it begins like UTF-16, and is not.
+    """
     if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         try:
             return content.decode("utf-16")
@@ -201,7 +207,7 @@ def _decoded(name: str, content: bytes) -> str:
 
 
 def _delimited(name: str, content: bytes) -> Grid:
-    text = _decoded(name, content)
+    text = decoded(name, content)
     lines = [line for line in text.splitlines() if line.strip()]
     if "\0" in text or not lines:
         raise _refused("file_unreadable", name, reason="empty" if not lines else "binary")
@@ -210,7 +216,7 @@ def _delimited(name: str, content: bytes) -> Grid:
     delimiter = next((mark for mark, line in headers if is_header(_split(line, mark))), ",")
     rows = csv.reader(io.StringIO(text, newline=None), delimiter=delimiter)
     try:
-        return [row for row, _ in zip(rows, range(MOST_ROWS), strict=False)]
+        return list(islice((row for row in rows if any(row)), MOST_ROWS + 1))
     except csv.Error:
         raise _refused("file_unreadable", name, reason="columns") from None
 
@@ -222,6 +228,8 @@ def _split(line: str, delimiter: str) -> list[str]:
 
 def _grid_tables(name: str, grid: Grid, settings: TableSettings) -> Iterator[FoundTable]:
     """Yield the tables below a header row: one for each student and exercise."""
+    if len(grid) > MOST_ROWS:
+        raise _refused("rows_too_many", name, limit=MOST_ROWS)
     rows = [[_cell(cell) for cell in row] for row in grid]
     rows = [row for row in rows if any(cell != "" for cell in row)]
     start = next((i for i, row in enumerate(rows) if is_header(row)), None)
@@ -229,44 +237,22 @@ def _grid_tables(name: str, grid: Grid, settings: TableSettings) -> Iterator[Fou
         raise _refused("columns_unknown", name, known=CELLS)
     header = [str(cell) for cell in rows[start]]
     _refuse_repeated(name, header)
-    columns = [column_of(title) for title in header]
-    head = {**_head(settings, {}), **dict(told_by(header))}
-    groups: dict[tuple[str, str], list[dict[str, object]]] = {}
-    conventions: dict[tuple[str, str], str] = {}
-    key = ("", "")
+    columns = columns_of(header)
+    head = {**_head(settings, {}), **_told_by(name, header)}
     below = start + 1
     if below < len(rows) and all(_RULE.fullmatch(str(cell)) for cell in rows[below] if cell != ""):
         below += 1
-    for row in rows[below:]:
-        cells = {column: cell for column, cell in zip(columns, row, strict=False) if column}
-        key = _owner(cells, key)
-        groups.setdefault(key, []).append(_row(cells))
-        if convention := _name(cells.get("convention")).lower():
-            conventions[key] = convention
-    for (student, exercise), table_rows in groups.items():
-        convention = conventions.get((student, exercise), head["convention"])
-        table = {**head, "convention": convention, "rows": table_rows}
-        yield FoundTable(student=student or None, exercise=exercise or None, table=table)
-
-
-def _owner(cells: Mapping[str, object], above: tuple[str, str]) -> tuple[str, str]:
-    """Student and exercise of a row; where a cell is empty, such as the rest of a merged one, those above."""
-    student = _name(cells.get("student")) or above[0]
-    return student, _name(cells.get("exercise")) or (above[1] if student == above[0] else "")
-
-
-def _row(cells: Mapping[str, object]) -> dict[str, object]:
-    row = {name: cells.get(name, "") for name in CELLS}
-    joint = _JOINT_TYPES.get(_name(cells.get("joint")).lower())
-    return {**row, "joint": joint} if joint else row
-
-
-def _name(value: object) -> str:
-    """A cell as a name; the numbers of a workbook all have a fraction: 12345.0."""
-    if value is None:
-        return ""
-    whole = int(value) if isinstance(value, float) and value.is_integer() else value
-    return normalize("NFC", str(whole)).strip()
+    records = records_of(columns, rows[below:])
+    for (student, identifier, exercise), group in groups_of(records).items():
+        conventions = (name_in(cells.get("convention")).lower() for cells in group)
+        convention = next(filter(None, conventions), head["convention"])
+        table = {**head, "convention": convention, "rows": [row_of(cells) for cells in group]}
+        yield FoundTable(
+            student=student or identifier or None,
+            identifier=identifier or None if student else None,
+            exercise=exercise or None,
+            table=table,
+        )
 
 
 def _cell(value: object) -> object:

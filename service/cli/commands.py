@@ -41,7 +41,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         The exit status: 0, or 1 if something was found wrong, or 2 if the command cannot be carried out.
     """
     given = list(sys.argv[1:] if arguments is None else arguments)
-    if not given or (given[0].startswith("-") and given[0] not in ("-h", "--help", "--lang", "--version")):
+    first = given[0].partition("=")[0] if given else "-"
+    if first.startswith("-") and first not in ("-h", "--help", "--lang", "--version"):
         given = ["serve", *given]
     named = next((word for word in given if word in COMMANDS), None)
     options = _parser((COMMANDS[named],) if named else dict.fromkeys(COMMANDS.values())).parse_args(given)

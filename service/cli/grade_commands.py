@@ -2,6 +2,7 @@
 
 import argparse
 import json
+import math
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import asdict
@@ -9,10 +10,11 @@ from pathlib import Path
 from typing import TextIO
 
 from exercises.grading import HelpLevel
+from exercises.library import Library
 from kinematics.cells import AngleUnit, LengthUnit
 from kinematics.errors import Fault
 from kinematics.table import Convention
-from service.adapters.class_grading import ClassSettings, grade_class, misconceptions, require_exercise
+from service.adapters.class_grading import ClassSettings, exercise_meant, grade_class, misconceptions
 from service.adapters.gradebook import GradebookEntry, GradebookFormat, write_gradebook
 from service.adapters.hand_ins import count_files, hand_ins, left_out
 from service.adapters.hosts import HOSTS
@@ -36,8 +38,10 @@ def add(subparsers: Subparsers) -> None:
     )
     parser.add_argument("--exercise", help="the exercise; otherwise each file names it")
     parser.add_argument("--for", dest="host", choices=tuple(HOSTS), help="speak an autograder's protocol")
-    parser.add_argument("--points", type=float, help="what the assignment is worth, with --for")
-    parser.add_argument("--format", choices=(*map(str, GradebookFormat), _JSON), default=GradebookFormat.CSV)
+    parser.add_argument("--points", type=_worth, help="what the assignment is worth, with --for")
+    parser.add_argument(
+        "--format", choices=(*map(str, GradebookFormat), _JSON), help=f"of the grades ({GradebookFormat.CSV})"
+    )
     parser.add_argument("--output", type=Path, help="file of grades; standard output, if it is not named")
     parser.add_argument("--jobs", type=count, help="processes (all cores)")
     parser.add_argument(
@@ -53,42 +57,79 @@ def add(subparsers: Subparsers) -> None:
 
 
 def _grade(options: argparse.Namespace) -> None:
+    _refuse_without_effect(options)
     tables = TableSettings(
         convention=options.convention, angle_unit=options.angle_unit, length_unit=options.length_unit
     )
     path = None if options.path is None or str(options.path) == "-" else options.path
+    folders = settings_of_environment().exercise_folders
+    library = Library(folders)
+    exercise = None if options.exercise is None else exercise_meant(options.exercise, library)
     if options.host:
         assignment = Assignment(
-            exercise=options.exercise,
+            exercise=exercise,
             language=options.lang,
             help_level=options.tell,
             points=options.points,
             tables=tables,
+            library=library,
         )
         HOSTS[options.host](assignment, path)
         return
-    if path is None:
-        raise RequestError(Fault.at("grade_path_needed"))
-    if not path.exists():
-        raise RequestError(Fault.at("file_missing", file=path.name))
-    folders = settings_of_environment().exercise_folders
-    if options.exercise is not None:
-        require_exercise(options.exercise, folders)
     settings = ClassSettings(
-        exercise=options.exercise,
+        exercise=exercise,
         language=options.lang,
         help_level=options.tell,
         per_student=options.per_student,
         folders=folders,
     )
+    _grade_class(path, tables, settings, options)
+
+
+def _refuse_without_effect(options: argparse.Namespace) -> None:
+    """Refuse options of autograders for a class, and those of a class for an autograder.
+
+    Raises:
+        RequestError: at least one is given.
+    """
+    others = ("per_student", "format", "output", "jobs") if options.host else ("points",)
+    given = [f"--{name.replace('_', '-')}" for name in others if getattr(options, name)]
+    if given:
+        with_for = "yes" if options.host else "no"
+        raise RequestError(Fault.at("options_without_effect", options=tuple(given), host=with_for))
+
+
+def _grade_class(
+    path: Path | None, tables: TableSettings, settings: ClassSettings, options: argparse.Namespace
+) -> None:
+    if path is None:
+        raise RequestError(Fault.at("grade_path_needed"))
+    if not path.exists():
+        raise RequestError(Fault.at("file_missing", file=path.name))
+    form = options.format or GradebookFormat.CSV
     found = grade_class(hand_ins(path, tables), settings, options.jobs)
     counted = _Counted(_with_progress(found, count_files(path)))
     if options.output is None:
-        _write(counted, sys.stdout, options.format)
+        _write(counted, sys.stdout, form)
     else:
         with replacing(options.output) as stream:
-            _write(counted, stream, options.format)
+            _write(counted, stream, form)
     _summarise(counted, left_out(path), options.lang)
+
+
+def _worth(text: str) -> float:
+    """Return what an assignment is worth.
+
+    Raises:
+        argparse.ArgumentTypeError: it is no number above 0.
+    """
+    try:
+        points = float(text)
+    except ValueError:
+        points = math.nan
+    if not 0.0 < points < math.inf:
+        raise argparse.ArgumentTypeError(f"a number above 0 is needed, not {text}")
+    return points
 
 
 class _Counted:

@@ -2,18 +2,20 @@
 
 import argparse
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
+from kinematics.errors import Fault
 from service.adapters.gradebook import GradebookFormat, write_gradebook
-from service.adapters.judging import told_fault
+from service.adapters.table_files import decoded
 from service.cli.environment import Subparsers, settings_of_environment
 from service.cli.whole_files import replacing
-from service.receipts.checking import check_receipts, entries_of, receipts_in
+from service.http.problems import RequestError, fault_sentence
+from service.receipts.checking import CheckedReceipt, check_receipts, entries_of, receipts_in
 from service.receipts.keys import receipt_keys, rotate
 
 _FORGED = 1
-_LARGEST_FILE = 1024 * 1024  # Bytes read of a file: the receipts of a thousand students.
+_LARGEST_FILE = 8 * 1024 * 1024  # Bytes of a file: the receipts of several thousand students.
 
 
 def add(subparsers: Subparsers) -> None:
@@ -39,19 +41,27 @@ def add(subparsers: Subparsers) -> None:
 
 def _verify(options: argparse.Namespace) -> int:
     """Exit with 1 if any receipt is not ours."""
-    texts = [text for path in options.path for text in _receipts(path)]
-    checked = check_receipts(texts, receipt_keys(settings_of_environment()))
+    texts: list[str] = []
+    unread: list[CheckedReceipt] = []
+    for file in _files(options.path):
+        try:
+            texts += receipts_in(_text(file))
+        except RequestError as error:
+            unread.append(CheckedReceipt(text=file.name, fault=error.faults[0]))
+    checked = [*check_receipts(texts, receipt_keys(settings_of_environment())), *unread]
     if options.csv is None:
         for entry in checked:
             said = entry.receipt
             if said is None:
                 assert entry.fault is not None
-                sys.stdout.write(f"✗ {entry.text[:24]}… {told_fault(entry.fault, options.lang)}\n")
+                sys.stdout.write(_line(f"✗ {entry.text[:24]}… {fault_sentence(entry.fault, options.lang)}"))
             else:
                 copy = " (=)" if entry.repeated else ""
                 sys.stdout.write(
-                    f"✓ {said.name}: {said.exercise} v{said.version}, {said.points:g}/{said.max_points:g}, "
-                    f"{said.time.isoformat()}{copy}\n"
+                    _line(
+                        f"✓ {said.name}: {said.exercise} v{said.version}, "
+                        f"{said.points:g}/{said.max_points:g}, {said.time.isoformat()}{copy}"
+                    )
                 )
     elif str(options.csv) == "-":
         write_gradebook(entries_of(checked), sys.stdout, GradebookFormat(options.format))
@@ -65,9 +75,25 @@ def _rotate(options: argparse.Namespace) -> None:
     sys.stdout.write(f"{rotate(options.file, options.retire).signing.kid}\n")
 
 
-def _receipts(path: Path) -> Iterator[str]:
-    """Yield the receipts in a file, or in the files of a folder."""
-    files = sorted(file for file in path.rglob("*") if file.is_file()) if path.is_dir() else [path]
-    for file in files:
-        with file.open("rb") as stream:
-            yield from receipts_in(stream.read(_LARGEST_FILE).decode("utf-8", errors="replace"))
+def _files(paths: Iterable[Path]) -> Iterator[Path]:
+    """Yield files, and the files of folders."""
+    for path in paths:
+        yield from sorted(file for file in path.rglob("*") if file.is_file()) if path.is_dir() else [path]
+
+
+def _text(file: Path) -> str:
+    """Return the text of a file.
+
+    Raises:
+        RequestError: it is longer than is read, or in no encoding that is.
+    """
+    with file.open("rb") as stream:
+        content = stream.read(_LARGEST_FILE + 1)
+    if len(content) > _LARGEST_FILE:
+        raise RequestError(Fault.at("file_unreadable", file=file.name, reason=f"> {_LARGEST_FILE >> 20} MiB"))
+    return decoded(file.name, content)
+
+
+def _line(text: str) -> str:
+    """Return one line of output: a name that a student typed makes no further one, and moves no cursor."""
+    return "".join(letter if letter.isprintable() else "\ufffd" for letter in text) + "\n"

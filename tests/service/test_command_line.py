@@ -7,6 +7,7 @@ import re
 import shutil
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -16,7 +17,7 @@ from uvicorn.supervisors.multiprocess import Process
 from courses.storage.database import open_store
 from service import __version__
 from service.cli.commands import COMMANDS, main
-from service.receipts.keys import read_keys
+from service.receipts.keys import read_keys, rotate
 from service.receipts.receipt import issue
 from tests.exercises.packaged import exercise
 from tests.service.adapters.test_receipts import RECEIPT
@@ -116,6 +117,83 @@ def test_an_autograder_is_spoken_to(tmp_path: Path, capsys: pytest.CaptureFixtur
     arguments = ["grade", str(tmp_path / "a.csv"), "--exercise", "twolink", "--angle-unit", "deg"]
     assert main([*arguments, "--for", "nbgrader", "--points", "5"]) == 0
     assert capsys.readouterr().out == "5\n"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (["--for", "nbgrader", "--per-student", "--output", "x.csv"], "--per-student, --output"),
+        (["--points", "5"], "--points"),
+    ],
+)
+def test_an_option_that_would_do_nothing_is_refused(
+    arguments: list[str], told: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "a.csv").write_text(RIGHT)
+    assert main(["grade", str(tmp_path / "a.csv"), "--exercise", "twolink", *arguments]) == 2
+    err = capsys.readouterr().err
+    assert "options_without_effect" in err
+    assert told in err
+
+
+@pytest.mark.parametrize("points", ["0", "-5", "nan", "inf", "five"])
+def test_an_assignment_is_worth_something(points: str, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        main(["grade", "a.csv", "--for", "nbgrader", "--points", points])
+    assert "a number above 0 is needed" in capsys.readouterr().err
+
+
+def test_an_exercise_has_one_column_however_its_name_is_typed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """What could not be graded stood in another one, under the name as typed."""
+    (tmp_path / "ann.csv").write_text(RIGHT)
+    (tmp_path / "bob.csv").write_text("nothing")
+    options = ["--exercise", "Two-Link", "--format", "canvas", "--jobs", "1"]
+    assert main(["grade", str(tmp_path), *options]) == 0
+    head, *_ = csv.reader(io.StringIO(capsys.readouterr().out))
+    assert head[4:] == ["twolink"]
+
+
+def test_a_language_may_be_written_behind_an_equals_sign(capsys: pytest.CaptureFixture[str]) -> None:
+    """`framewise --lang=es …` was taken for options of the server."""
+    assert main(["--lang=es", "grade"]) == 2
+    assert "Hace falta un archivo" in capsys.readouterr().err
+
+
+def test_files_of_receipts_that_cannot_be_read_are_said_to_be_so(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """UTF-16 was called forged, and what stood beyond a mebibyte was dropped."""
+    monkeypatch.setenv("FRAMEWISE_RECEIPT_KEYS", str(tmp_path / "keys.json"))
+    token = issue(RECEIPT, rotate(tmp_path / "keys.json"))
+    folder = tmp_path / "handed-in"
+    folder.mkdir()
+    (folder / "ann.txt").write_text(token, encoding="utf-16")
+    (folder / "bob.txt").write_text("x\n" * 700_000 + token)
+    assert main(["receipts", "verify", str(folder)]) == 0
+    assert capsys.readouterr().out.count("✓") == 2
+    (folder / "cy.txt").write_bytes(b"\xff\xfex")
+    (folder / "dan.mp4").write_bytes(b"x" * (8 * 1024 * 1024 + 1))
+    assert main(["receipts", "verify", str(folder)]) == 1
+    told = capsys.readouterr().out
+    assert told.count("✓") == 2
+    assert "✗ cy.txt… cy.txt cannot be read: it begins like UTF-16" in told
+    assert "✗ dan.mp4… dan.mp4 cannot be read: > 8 MiB" in told
+
+
+def test_a_name_in_a_receipt_writes_no_line_of_its_own(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Students type their names: one with a line break forged what the lecturer reads of another receipt."""
+    monkeypatch.setenv("FRAMEWISE_RECEIPT_KEYS", str(tmp_path / "keys.json"))
+    name = "Eve: x v1, 0/1\n✓ Ann: puma560 v1, 100/100, 2026-11-22T10:30:00+00:00\x1b[8m"
+    token = issue(replace(RECEIPT, name=name), rotate(tmp_path / "keys.json"))
+    (tmp_path / "eve.txt").write_text(token)
+    assert main(["receipts", "verify", str(tmp_path / "eve.txt")]) == 0
+    told = capsys.readouterr().out
+    assert len(told.splitlines()) == 1
+    assert "\x1b" not in told
 
 
 def test_receipts_are_verified_and_keys_renewed(

@@ -8,14 +8,13 @@ from typing import Any
 
 from service.adapters.hosts.assignment import Assignment
 from service.adapters.judging import JudgedAnswer, NotGraded
-from service.adapters.table_files import read_tables
-from service.http.problems import RequestError
 
 
 def run(assignment: Assignment, source: Path | None = None) -> None:
     """Grade what stands on standard input (JSON, or a table with a header row), and print the outcome."""
     text = sys.stdin.buffer.read() if source is None else source.read_bytes()
-    sys.stdout.write(json.dumps(outcome_of(_graded(assignment, text), assignment), ensure_ascii=False) + "\n")
+    outcome = outcome_of(assignment.grade_text(text), assignment)
+    sys.stdout.write(json.dumps(outcome, ensure_ascii=False) + "\n")
 
 
 def outcome_of(judged: JudgedAnswer | NotGraded, assignment: Assignment) -> dict[str, Any]:
@@ -30,12 +29,3 @@ def outcome_of(judged: JudgedAnswer | NotGraded, assignment: Assignment) -> dict
     ]
     told = "".join(f"<p>{escape(line)}</p>" for line in judged.sentences())
     return {"fraction": judged.score, "testresults": [head, *rows], "epiloguehtml": told}
-
-
-def _graded(assignment: Assignment, text: bytes) -> JudgedAnswer | NotGraded:
-    name = "answer.json" if text.lstrip()[:1] in (b"{", b"[") else "answer.csv"
-    try:
-        found = read_tables(name, text, assignment.tables)
-    except RequestError as error:
-        return NotGraded(faults=error.faults)
-    return assignment.grade_table({"table": found[0].table, "exercise": found[0].exercise})

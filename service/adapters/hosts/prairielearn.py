@@ -2,11 +2,17 @@
 
 import json
 from collections.abc import Mapping
+from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from kinematics.errors import Fault
 from service.adapters.hosts.assignment import Assignment
 from service.adapters.judging import JudgedAnswer, NotGraded
+from service.http.decoding import decode_json
+from service.http.problems import ServiceError
+from service.messages import languages
 
 ROOT = Path("/grade")
 
@@ -21,7 +27,10 @@ def run(assignment: Assignment, source: Path | None = None) -> None:
     data = json.loads((root / "data" / "data.json").read_text(encoding="utf-8"))
     target = root / "results" / "results.json"
     target.parent.mkdir(parents=True, exist_ok=True)
-    target.write_text(json.dumps(results_of(_graded(assignment, data, root), assignment)), encoding="utf-8")
+    asked = (data.get("params") or {}).get("framewise") or {}
+    assignment = _as_asked(assignment, asked)
+    judged = _graded(assignment, data, root, asked.get("seed"))
+    target.write_text(json.dumps(results_of(judged, assignment)), encoding="utf-8")
 
 
 def results_of(judged: JudgedAnswer | NotGraded, assignment: Assignment) -> dict[str, Any]:
@@ -40,14 +49,29 @@ def results_of(judged: JudgedAnswer | NotGraded, assignment: Assignment) -> dict
     return {"gradable": True, "score": judged.score, "message": " ".join(judged.sentences()), "tests": tests}
 
 
-def _graded(assignment: Assignment, data: Mapping[str, Any], root: Path) -> JudgedAnswer | NotGraded:
-    params = data.get("params") or {}
-    asked = params.get("framewise") or {}
+def _as_asked(assignment: Assignment, asked: Mapping[str, Any]) -> Assignment:
+    """Return an assignment with the exercise and the language that a question names."""
+    language = asked.get("language")
+    return replace(
+        assignment,
+        exercise=assignment.exercise or asked.get("exercise"),
+        language=language if language in languages() else assignment.language,
+    )
+
+
+def _graded(
+    assignment: Assignment, data: Mapping[str, Any], root: Path, asked_seed: object
+) -> JudgedAnswer | NotGraded:
+    seed = None if asked_seed is None else str(asked_seed)
     submitted = (data.get("submitted_answers") or {}).get("table")
-    if isinstance(submitted, str):
-        submitted = json.loads(submitted)
-    if not isinstance(submitted, Mapping):
-        return assignment.grade_path(root / "student")
-    exercise = assignment.exercise or asked.get("exercise")
-    answer = {"table": submitted} if "rows" in submitted else dict(submitted)
-    return assignment.grade_table({**answer, "exercise": exercise}, seed=asked.get("seed"))
+    typed = submitted.encode("utf-8", "replace") if isinstance(submitted, str) else b""
+    with suppress(ServiceError):
+        submitted = decode_json(typed)
+    if isinstance(submitted, Mapping):
+        answer = {"table": submitted} if "rows" in submitted else submitted
+        return assignment.grade_table(answer, seed)
+    if typed.strip():
+        return assignment.grade_text(typed, seed)
+    if not (root / "student").is_dir():
+        return NotGraded(faults=(Fault.at("file_without_table", file="student"),))
+    return assignment.grade_path(root / "student")

@@ -7,6 +7,10 @@ error-file_too_large =
     }; a table takes a few kilobytes.
 error-file_missing = There is no file or folder { $file }.
 error-grade_path_needed = A file, a folder or a zip archive is needed: standard input (-, or no argument) is read only with --for.
+error-options_without_effect = { $options } would have no effect { $host ->
+    [yes] with --for
+   *[no] without --for
+}.
 error-marks_are_text = { $file } would not be a spreadsheet: grades are written as text, which spreadsheet programs read. Give the file a name that ends in .csv.
 error-file_unreadable = { $file } cannot be read: { $reason ->
     [empty] it is empty
@@ -19,8 +23,10 @@ error-file_unusable = { $file } cannot be read or written: { $reason }.
 error-file_type_unknown = { $file } is of an unsupported type. Supported: { $known }.
 error-file_without_table = { $file } holds no DH table. A table has the columns theta, d, a and alpha.
 error-files_too_many = { $file } holds more than { $limit } files.
+error-rows_too_many = { $file } has more than { $limit } rows. Divide it into several files.
 error-columns_unknown = No row of { $file } names the columns { $known }. Write them above the table.
 error-columns_repeated = The titles { $titles } of { $file } mean the same column. Write each column once; an offset of a joint belongs in its cell: q1 + 90.
+error-units_differ = The titles of { $file } name two units for the same quantity: { $units }. Write all angles in one unit, and all lengths in one unit.
 error-columns_differ_in_length = The columns of { $file } differ in length; each needs one entry for each row.
 error-exercise_not_named = This does not say which exercise it answers. Name it, for example puma560.
 error-artefact_unknown = Artefacts of type { $type } are not supported; { $known } are.

@@ -7,6 +7,10 @@ error-file_too_large =
     }; una tabla ocupa unos pocos kilobytes.
 error-file_missing = No existe ningún archivo ni carpeta { $file }.
 error-grade_path_needed = Hace falta un archivo, una carpeta o un archivo zip: la entrada estándar (-, o ningún argumento) solo se lee con --for.
+error-options_without_effect = { $options } no tendría ningún efecto { $host ->
+    [yes] con --for
+   *[no] sin --for
+}.
 error-marks_are_text = { $file } no contendría una hoja de cálculo: las calificaciones se escriben como texto que leen las hojas de cálculo. Dé al archivo un nombre terminado en .csv.
 error-file_unreadable = No se puede leer { $file }: { $reason ->
     [empty] está vacío
@@ -19,8 +23,10 @@ error-file_unusable = No se puede leer o escribir { $file }: { $reason }.
 error-file_type_unknown = { $file } es de un tipo que aquí no se lee. Se leen { $known }.
 error-file_without_table = { $file } no contiene ninguna tabla DH. Una tabla tiene las columnas theta, d, a y alpha.
 error-files_too_many = { $file } contiene más de { $limit } archivos.
+error-rows_too_many = { $file } tiene más de { $limit } filas. Divídalo en varios archivos.
 error-columns_unknown = Ninguna fila de { $file } nombra las columnas { $known }. Escríbalas encima de la tabla.
 error-columns_repeated = Los títulos { $titles } de { $file } designan la misma columna. Escriba cada columna una sola vez; el desplazamiento de una articulación va en su celda: q1 + 90.
+error-units_differ = Los títulos de { $file } nombran dos unidades para la misma magnitud: { $units }. Escriba todos los ángulos en una misma unidad, y todas las longitudes en una misma unidad.
 error-columns_differ_in_length = Las columnas de { $file } tienen longitudes distintas; cada una necesita una entrada por fila.
 error-exercise_not_named = No se dice a qué ejercicio responde. Indíquelo, por ejemplo puma560.
 error-artefact_unknown = Aquí no se evalúan artefactos de tipo { $type }; sí { $known }.

@@ -7,6 +7,10 @@ error-file_too_large =
     } ; un tableau tient en quelques kilooctets.
 error-file_missing = Il n’y a ni fichier ni dossier { $file }.
 error-grade_path_needed = Il faut un fichier, un dossier ou une archive zip : l’entrée standard (-, ou aucun argument) n’est lue qu’avec --for.
+error-options_without_effect = { $options } serait sans effet { $host ->
+    [yes] avec --for
+   *[no] sans --for
+}.
 error-marks_are_text = { $file } ne contiendrait pas une feuille de calcul : les notes sont écrites en texte, que lisent les tableurs. Donnez au fichier un nom en .csv.
 error-file_unreadable = { $file } ne peut pas être lu : { $reason ->
     [empty] il est vide
@@ -19,8 +23,10 @@ error-file_unusable = { $file } ne peut être ni lu ni écrit : { $reason }.
 error-file_type_unknown = { $file } est d’un type qui n’est pas lu ici. Sont lus : { $known }.
 error-file_without_table = { $file } ne contient aucun tableau DH. Un tableau a les colonnes theta, d, a et alpha.
 error-files_too_many = { $file } contient plus de { $limit } fichiers.
+error-rows_too_many = { $file } a plus de { $limit } lignes. Partagez-le en plusieurs fichiers.
 error-columns_unknown = Aucune ligne de { $file } ne nomme les colonnes { $known }. Écrivez-les au-dessus du tableau.
 error-columns_repeated = Les titres { $titles } de { $file } désignent la même colonne. Écrivez chaque colonne une seule fois ; le décalage d’une articulation se met dans sa cellule : q1 + 90.
+error-units_differ = Les titres de { $file } nomment deux unités pour la même grandeur : { $units }. Écrivez tous les angles dans une même unité, et toutes les longueurs dans une même unité.
 error-columns_differ_in_length = Les colonnes de { $file } n’ont pas la même longueur ; il faut une valeur par ligne dans chacune.
 error-exercise_not_named = Il n’est pas dit à quel exercice ceci répond. Nommez-le, par exemple puma560.
 error-artefact_unknown = Les productions de type { $type } ne sont pas évaluées ici. Types évalués : { $known }.

@@ -7,6 +7,10 @@ error-file_too_large =
     }; uma tabela ocupa poucos quilobytes.
 error-file_missing = Não existe nenhum ficheiro nem pasta { $file }.
 error-grade_path_needed = É preciso um ficheiro, uma pasta ou um arquivo zip: só com --for é que - ou nada representa a entrada padrão.
+error-options_without_effect = { $options } não teria efeito { $host ->
+    [yes] com --for
+   *[no] sem --for
+}.
 error-marks_are_text = { $file } não conteria uma folha de cálculo: as classificações são escritas como texto que as folhas de cálculo leem. Dê ao ficheiro um nome com .csv.
 error-file_unreadable = Não é possível ler { $file }: { $reason ->
     [empty] está vazio
@@ -19,8 +23,10 @@ error-file_unusable = Não é possível ler ou escrever { $file }: { $reason }.
 error-file_type_unknown = { $file } é de um tipo que não é lido aqui. São lidos { $known }.
 error-file_without_table = { $file } não contém nenhuma tabela DH. Uma tabela tem as colunas theta, d, a e alpha.
 error-files_too_many = { $file } contém mais de { $limit } ficheiros.
+error-rows_too_many = { $file } tem mais de { $limit } linhas. Divida-o em vários ficheiros.
 error-columns_unknown = Nenhuma linha de { $file } nomeia as colunas { $known }. Escreva-as acima da tabela.
 error-columns_repeated = Os títulos { $titles } de { $file } designam a mesma coluna. Escreva cada coluna uma só vez; o deslocamento de uma junta fica na sua célula: q1 + 90.
+error-units_differ = Os títulos de { $file } nomeiam duas unidades para a mesma grandeza: { $units }. Escreva todos os ângulos numa só unidade, e todos os comprimentos numa só unidade.
 error-columns_differ_in_length = As colunas de { $file } têm comprimentos diferentes; cada uma precisa de um valor por linha.
 error-exercise_not_named = Não se diz a que exercício isto responde. Indique-o, por exemplo puma560.
 error-artefact_unknown = Aqui não se avaliam artefactos do tipo { $type }; avaliam-se { $known }.

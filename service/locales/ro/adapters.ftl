@@ -8,6 +8,10 @@ error-file_too_large =
     }; un tabel ocupă câțiva kiloocteți.
 error-file_missing = Nu există niciun fișier sau dosar { $file }.
 error-grade_path_needed = Este nevoie de un fișier, un dosar sau o arhivă zip: doar cu --for, - sau nimic înseamnă intrarea standard.
+error-options_without_effect = { $options } nu ar avea niciun efect { $host ->
+    [yes] cu --for
+   *[no] fără --for
+}.
 error-marks_are_text = { $file } nu ar conține o foaie de calcul: notele se scriu ca text, pe care îl citesc programele de calcul tabelar. Dați fișierului un nume cu .csv.
 error-file_unreadable = { $file } nu poate fi citit: { $reason ->
     [empty] este gol
@@ -25,8 +29,15 @@ error-files_too_many =
         [few] { $limit } fișiere
        *[other] { $limit } de fișiere
     }.
+error-rows_too_many =
+    { $file } are mai mult de { $limit ->
+        [one] { $limit } rând
+        [few] { $limit } rânduri
+       *[other] { $limit } de rânduri
+    }. Împărțiți-l în mai multe fișiere.
 error-columns_unknown = Niciun rând din { $file } nu numește coloanele { $known }. Scrieți-le deasupra tabelului.
 error-columns_repeated = Titlurile { $titles } din { $file } desemnează aceeași coloană. Scrieți fiecare coloană o singură dată; decalajul unei cuple se scrie în celula ei: q1 + 90.
+error-units_differ = Titlurile din { $file } numesc două unități pentru aceeași mărime: { $units }. Scrieți toate unghiurile într-o singură unitate și toate lungimile într-o singură unitate.
 error-columns_differ_in_length = Coloanele din { $file } au lungimi diferite; fiecare are nevoie de o valoare pentru fiecare rând.
 error-exercise_not_named = Nu se spune la ce exercițiu răspunde. Numiți-l, de exemplu puma560.
 error-artefact_unknown = Aici nu se evaluează artefacte de tipul { $type }; se evaluează { $known }.

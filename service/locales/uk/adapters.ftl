@@ -8,6 +8,10 @@ error-file_too_large =
     }; таблиця займає кілька кілобайтів.
 error-file_missing = Файлу чи теки { $file } немає.
 error-grade_path_needed = Потрібен файл, тека або архів zip: лише з --for дефіс або відсутність аргументу означає стандартний ввід.
+error-options_without_effect = { $options } не матиме дії { $host ->
+    [yes] з --for
+   *[no] без --for
+}.
 error-marks_are_text = { $file } не містив би електронної таблиці: оцінки записуються текстом, який читають табличні програми. Дайте файлу назву з .csv.
 error-file_unreadable = { $file } не вдається прочитати: { $reason ->
     [empty] файл порожній
@@ -25,8 +29,15 @@ error-files_too_many =
         [few] { $limit } файли
        *[other] { $limit } файлів
     }.
+error-rows_too_many =
+    { $file } має понад { $limit ->
+        [one] { $limit } рядок
+        [few] { $limit } рядки
+       *[other] { $limit } рядків
+    }. Поділіть його на кілька файлів.
 error-columns_unknown = Жоден рядок у { $file } не називає стовпців { $known }. Напишіть їх над таблицею.
 error-columns_repeated = Заголовки { $titles } у { $file } позначають один і той самий стовпець. Запишіть кожен стовпець один раз; зміщення зчленування пишеться в його клітинці: q1 + 90.
+error-units_differ = Заголовки у { $file } називають дві одиниці для тієї самої величини: { $units }. Запишіть усі кути в одній одиниці, а всі довжини — в одній одиниці.
 error-columns_differ_in_length = Стовпці в { $file } різної довжини; у кожному має бути по одному значенню на рядок.
 error-exercise_not_named = Не сказано, на яку вправу це відповідь. Назвіть її, наприклад puma560.
 error-artefact_unknown = Роботи типу { $type } тут не оцінюються; оцінюються { $known }.

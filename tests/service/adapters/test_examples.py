@@ -141,3 +141,19 @@ def test_prairielearn_counts_no_attempt_for_what_cannot_be_read() -> None:
     assert "<script>" not in module.render(ELEMENT, data)
     module.parse(ELEMENT, data)
     assert data["format_errors"]["table"]
+
+
+def test_two_tables_of_a_question_are_of_two_exercises() -> None:
+    """Both were graded by the exercise of the last one."""
+    module, data = element(), question()
+    other = ELEMENT.replace('"table"', '"other"').replace("twolink", "scara")
+    for each in (ELEMENT, other):
+        module.prepare(each, data)
+    assert data["params"]["framewise"]["exercise"] == "twolink"
+    header, *rows = [line.split(",") for line in RIGHT.splitlines()]
+    for i, cells in enumerate(rows):
+        for column, cell in zip(header, cells, strict=True):
+            data["raw_submitted_answers"][f"table-{i}-{column}"] = cell
+    module.parse(ELEMENT, data)
+    module.grade(ELEMENT, data)
+    assert data["partial_scores"]["table"]["score"] == 1

@@ -11,13 +11,15 @@ from typing import Any
 
 import pytest
 
+from exercises.errors import UnknownExerciseError
+from exercises.library import Library
 from framewise import check
 from service.adapters.class_grading import ClassSettings, grade_class, misconceptions
 from service.adapters.gradebook import GradebookEntry, GradebookFormat, write_gradebook
 from service.adapters.hand_ins import hand_ins
 from service.adapters.hosts import HOSTS
 from service.adapters.hosts.assignment import Assignment
-from service.adapters.judging import with_joint_types
+from service.adapters.judging import JudgedAnswer, with_joint_types
 from service.adapters.table_files import TableSettings
 from tests.exercises import folders
 
@@ -211,6 +213,54 @@ def test_prairielearn_counts_no_attempt_for_what_cannot_be_graded(tmp_path: Path
     results = json.loads((tmp_path / "results" / "results.json").read_text())
     assert results["gradable"] is False
     assert results["format_errors"]
+
+
+def prairielearn(folder: Path, assignment: Assignment, submitted: object, **asked: object) -> dict[str, Any]:
+    """What the external grader writes for an answer to a question."""
+    (folder / "data").mkdir(exist_ok=True)
+    data = {"params": {"framewise": asked}, "submitted_answers": {"table": submitted}}
+    (folder / "data" / "data.json").write_text(json.dumps(data))
+    HOSTS["prairielearn"](assignment, folder)
+    results: dict[str, Any] = json.loads((folder / "results" / "results.json").read_text())
+    return results
+
+
+@pytest.mark.parametrize("submitted", ["<html>Bad gateway</html>", "{", "5", "", "null", None, 5])
+def test_prairielearn_is_told_of_a_text_that_is_no_table(submitted: object, tmp_path: Path) -> None:
+    """It was a traceback, and no results."""
+    results = prairielearn(tmp_path, TWO_LINKS, submitted)
+    assert results["gradable"] is False
+    assert results["format_errors"]
+
+
+def test_prairielearn_grades_a_table_typed_as_text_with_a_seed_and_a_language(tmp_path: Path) -> None:
+    assert prairielearn(tmp_path, TWO_LINKS, RIGHT)["score"] == 1.0
+    seeded = prairielearn(tmp_path, Assignment(), table(NUMBERS), exercise="twolink", seed=17)
+    assert seeded["gradable"]
+    french = prairielearn(tmp_path, TWO_LINKS, BROKEN, language="fr")
+    assert french != prairielearn(tmp_path, TWO_LINKS, BROKEN, language="xx")
+
+
+def test_an_autograder_knows_exercises_of_ones_own(tmp_path: Path) -> None:
+    folders.folder(tmp_path / "own", folders.TWO_LINKS)
+    library = Library((tmp_path / "own",))
+    assignment = Assignment(exercise="two", tables=TWO_LINKS.tables, library=library)
+    judged = assignment.grade_text(RIGHT.encode())
+    assert isinstance(judged, JudgedAnswer)
+    assert judged.correct
+
+
+def test_an_exercise_that_a_student_misnames_cannot_be_graded(tmp_path: Path) -> None:
+    """The autograder ended without results; a lecturer's slip is still told to the lecturer."""
+    (tmp_path / "submission").mkdir()
+    text = RIGHT.replace("theta", "exercise,theta").replace("\nq", "\nr2d2,q")
+    (tmp_path / "submission" / "answer.csv").write_text(text)
+    HOSTS["gradescope"](Assignment(), tmp_path)
+    results = json.loads((tmp_path / "results" / "results.json").read_text())
+    assert results["score"] == 0
+    assert "r2d2" in results["output"]
+    with pytest.raises(UnknownExerciseError):
+        HOSTS["gradescope"](Assignment(exercise="r2d2"), tmp_path)
 
 
 def test_coderunner(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
