@@ -17,7 +17,7 @@ _JOINT_TYPES = {
 
 def records_of(columns: Sequence[str], rows: Iterable[Sequence[object]]) -> list[Cells]:
     """Return rows by their columns. What counts the joints, 1, 2, 3, says no type, although 1 alone would."""
-    records = [dict(zip(columns, row, strict=False)) for row in rows]
+    records: list[Cells] = [dict(zip(columns, row, strict=False)) for row in rows]
     joints = {name_in(cells.get("joint")) for cells in records}
     if any(text.isdecimal() and text not in _JOINT_TYPES for text in joints):
         return [{**cells, "joint": ""} for cells in records]
@@ -44,7 +44,7 @@ def groups_of(records: Iterable[Cells]) -> dict[tuple[str, str, str], list[Cells
 
 
 def row_of(cells: Cells) -> dict[str, object]:
-    """Return a row as calls take it; they refuse an unknown type, and what joints are called is none."""
+    """Return a row as calls take it; they refuse an unknown type, but a joint may have any name."""
     row = {name: cells.get(name, "") for name in CELLS}
     told = name_in(cells.get("type"))
     joint = _JOINT_TYPES.get(told.lower(), told) or _JOINT_TYPES.get(name_in(cells.get("joint")).lower())

@@ -90,8 +90,8 @@ class LinkGuard:
             return
         path = scope["path"].removeprefix(scope.get("root_path", ""))
         if not may_open(path, context, self._library):
-            switched_off = Fault.at("switched_off", path, path=path)
-            await refuse(ForbiddenError(switched_off, part=RequestPart.PATH), scope, receive, send)
+            fault = Fault.at("switched_off", path, path=path)
+            await refuse(ForbiddenError(fault, part=RequestPart.PATH), scope, receive, send)
             return
         scope[CONTEXT] = context
         opens_page = QUERY.encode() in scope["query_string"] and not scope["path"].startswith("/api/")
