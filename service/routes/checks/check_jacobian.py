@@ -144,7 +144,7 @@ def check_jacobian(body: CheckJacobianRequest, robot: PreparedRobot, language: s
 
 
 @router.judge(
-    "/check-jacobian-form", "Are this Jacobian and these torques and forces, as functions, the table's?"
+    "/check-jacobian-form", "Are this Jacobian, torques and forces, as functions, those of the table?"
 )
 def check_jacobian_form(
     body: CheckJacobianFormRequest, robot: PreparedRobot, language: str
