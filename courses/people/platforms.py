@@ -131,8 +131,12 @@ def set_status(store: Store, platform_id: int, status: PlatformStatus) -> None:
 
 
 def remove_platform(store: Store, platform_id: int) -> None:
-    """Forget a platform with everything of its courses."""
+    """Forget a platform with all of its courses and people, and lines of the log on these or by them."""
+    keys = sa.select(records.person.c.key).where(records.person.c.platform_id == platform_id)
+    log = records.access.c
     with store.writing() as connection:
+        theirs = sa.or_(log.subject.in_(keys), log.actor.in_(keys))
+        connection.execute(sa.delete(records.access).where(theirs))
         if not connection.execute(sa.delete(_PLATFORM).where(_PLATFORM.c.id == platform_id)).rowcount:
             raise unknown_record("platform")
 

@@ -15,8 +15,9 @@ from courses.attempts.stored_attempts import LISTED, attempt_numbered, keep_draf
 from courses.grades.outbox import delivered, hasten, lease_scores, postponed, resend, undeliverable
 from courses.model import CourseSession, LinkSettings, PlatformStatus, Role
 from courses.people import privacy
+from courses.people.audit import log_access
 from courses.people.enrolment import arrive, preview
-from courses.people.platforms import add_platform, set_status
+from courses.people.platforms import add_platform, remove_platform, set_status
 from courses.people.privacy import erase_person, export_person, person_named, purge
 from courses.people.secrets import issue_code, pseudonym, redeem_code, remember_nonce
 from courses.people.sessions import SESSION, end_session, session_of
@@ -577,6 +578,21 @@ def test_what_is_old_is_purged(store: Store) -> None:
     assert export_person(store, young.person.key)
     with pytest.raises(UnknownRecordError):
         export_person(store, old.person.key)
+
+
+def test_a_platform_that_is_removed_leaves_no_pseudonym(store: Store) -> None:
+    """Those of its students and staff stayed in the log, as they do of nobody who is erased."""
+    ann, tina = joined(store, "ann"), joined(store, "tina", role=Role.STAFF)
+    log_access(store, tina, "person", NOW, subject=ann.person.key)
+    log_access(store, tina, "overview", NOW)
+    elsewhere = replace(tina, person=replace(tina.person, key="f" * 32))
+    log_access(store, elsewhere, "overview", NOW)
+    remove_platform(store, ann.person.platform_id)
+    with store.reading() as connection:
+        assert list(connection.scalars(sa.select(records.access.c.actor))) == ["f" * 32]
+        assert not connection.scalar(sa.select(sa.func.count()).select_from(records.person))
+    with pytest.raises(UnknownRecordError):
+        remove_platform(store, ann.person.platform_id)
 
 
 def test_codes_and_nonces_that_have_ended_are_purged(store: Store) -> None:
