@@ -19,7 +19,8 @@ function copyBySelection(text) {
   const area = el("textarea", { class: "visually-hidden", "aria-hidden": "true", tabindex: "-1" });
   area.value = text;
   const focused = document.activeElement;
-  document.body.append(area);
+  // What is outside an open dialog cannot be marked.
+  (document.querySelector("dialog[open]") ?? document.body).append(area);
   area.select();
   try {
     return document.execCommand("copy");

@@ -68,6 +68,12 @@ export function fill(parent, ...children) {
   append(parent, children);
 }
 
+/**
+ * Of fields for what is no prose: a phone's keyboard corrects nothing, and begins with no capital. It is the one for
+ * texts: an iPhone's keyboard for decimals has no minus.
+ */
+export const VERBATIM = { autocomplete: "off", autocapitalize: "off", autocorrect: "off", spellcheck: "false" };
+
 const STROKES = {
   up: "M12 19V5m-6 6 6-6 6 6",
   down: "M12 5v14m6-6-6 6-6-6",
@@ -111,6 +117,12 @@ export function iconButton(name, label, onclick, properties = {}) {
     { type: "button", class: "icon quiet", "aria-label": label, title: label, onclick, ...properties },
     icon(name),
   );
+}
+
+/** Whether there is something for a button to do; one that has the focus keeps it. @param {HTMLElement} button @param {boolean} able */
+export function setAble(button, able) {
+  if (able) button.removeAttribute("aria-disabled");
+  else button.setAttribute("aria-disabled", "true");
 }
 
 /**

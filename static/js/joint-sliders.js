@@ -6,7 +6,7 @@
  * says what the fields show. Event `joints-change` with `detail.values`, on every movement.
  */
 
-import { el, fill, iconButton, uniqueId } from "./dom.js";
+import { el, fill, iconButton, uniqueId, VERBATIM } from "./dom.js";
 import { t } from "./i18n.js";
 import { clamped } from "./joint-ranges.js";
 import { degrees, numberIn, plain, radians } from "./numbers.js";
@@ -97,8 +97,7 @@ export class JointSliders extends HTMLElement {
     /** @type {HTMLInputElement} */
     const number = el("input", {
       type: "text",
-      inputmode: "decimal",
-      autocomplete: "off",
+      ...VERBATIM,
       "aria-label": t("form-joint-value", { name: joint.name, unit: this.#unit(joint) }),
       oninput: () => this.#take(i, numberIn(number.value), number),
       onchange: () => this.#show(),

@@ -75,9 +75,16 @@ export const radians = (degrees) => (degrees * Math.PI) / 180;
 /** @param {number} rad */
 export const degrees = (rad) => (rad * 180) / Math.PI;
 
+/** What a copied text has around its digits, unseen: soft hyphens, joiners, marks of direction, of words, of bytes. */
+const UNSEEN = /[\u00ad\u200b-\u200f\u2060\ufeff]/g;
+
 /** A number as people write it, with a decimal point or comma; null if it is none. @param {string} text */
 export function numberIn(text) {
-  const plainText = text.trim().replace("−", "-");
+  const plainText = text
+    .replace(UNSEEN, "")
+    .trim()
+    .replace(/^[−–‐‑﹣－]/, "-")
+    .replace(/e−/i, "e-");
   const value = Number(plainText.replace(/^([+-]?\d*),(\d+)$/, "$1.$2"));
   return plainText !== "" && Number.isFinite(value) ? value : null;
 }

@@ -3,7 +3,7 @@
 import { Api } from "./api.js";
 import { announce, el } from "./dom.js";
 import { language, loadMessages, t } from "./i18n.js";
-import { carried, takeCarried, whenNothingLasts } from "./storage.js";
+import { carried, takeCarried, whenKeptElsewhere, whenNothingLasts } from "./storage.js";
 
 const { root: relativeRoot, messages, page: pageName, assets: relativeAssets } = document.documentElement.dataset;
 
@@ -90,6 +90,18 @@ export function warnAbove(text, action) {
   document.querySelector("main")?.prepend(notice);
   announce(text);
   return notice;
+}
+
+/**
+ * Whoever has one thing open in two tabs is told so once, where something is changed in the other, and may take that.
+ * @param {string} key where the browser keeps it @param {string} text @param {() => void} take
+ */
+export function watchOtherTabs(key, text, take) {
+  /** @type {HTMLElement | null} */
+  let warning = null;
+  whenKeptElsewhere(key, () => {
+    if (!warning?.isConnected) warning = warnAbove(text, { text: t("form-other-tab-take"), run: take });
+  });
 }
 
 /** The menu of languages: the place on the page stays; Escape and a click elsewhere close it. */

@@ -2,6 +2,18 @@
 
 const MOST_STEPS = 200;
 
+/**
+ * What keys pressed together ask for, if that is a step. On a keyboard of other letters, such as a Cyrillic one, the keys
+ * where Latin ones have Z and Y mean the same, as in the browser's own fields.
+ * @param {KeyboardEvent} event @returns {"undo" | "redo" | null}
+ */
+export function stepAsked({ key, code, ctrlKey, metaKey, altKey, shiftKey }) {
+  if (!(ctrlKey || metaKey) || altKey) return null;
+  const letter = /^[a-z]$/i.test(key) ? key.toLowerCase() : code.replace("Key", "").toLowerCase();
+  if (letter === "y" || (letter === "z" && shiftKey)) return "redo";
+  return letter === "z" ? "undo" : null;
+}
+
 /** @template State */
 export class UndoHistory {
   /** @type {State[]} */

@@ -160,6 +160,7 @@ author-mark-end = mark the last origin as P
 author-lengths = Dimensions drawn differently
 author-lengths-hint = Give a small dimension another length in the figure, so that it reads well; the figure says that it is not to scale. Empty: as it is.
 author-saved = kept in this browser
+author-other-tab = This page is also open in another tab, and the draft has just been changed there. Only the draft that is changed last is kept.
 author-test-waiting = Changed; the tests run in a moment.
 author-test-refused = The tests run as soon as the faults above are corrected.
 author-test-running = Testing: right answers in other frames, mistakes, every part …

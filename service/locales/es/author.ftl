@@ -160,6 +160,7 @@ author-mark-end = marcar el último origen como P
 author-lengths = Cotas dibujadas de otro modo
 author-lengths-hint = Dé a una cota pequeña otra longitud en la figura para que se lea bien; la figura dice que no está a escala. Vacío: tal cual.
 author-saved = guardado en este navegador
+author-other-tab = Esta página también está abierta en otra pestaña, y allí se acaba de modificar el borrador. Solo se conserva el borrador que se modifica en último lugar.
 author-test-waiting = Cambiado; las pruebas se ejecutan en un momento.
 author-test-refused = Las pruebas se ejecutan en cuanto se corrijan los errores señalados arriba.
 author-test-running = Probando: respuestas correctas con otros sistemas, errores, cada parte…

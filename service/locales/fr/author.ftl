@@ -160,6 +160,7 @@ author-mark-end = marquer la dernière origine comme P
 author-lengths = Cotes dessinées autrement
 author-lengths-hint = Donnez à une petite cote une autre longueur sur la figure pour qu’elle se lise bien ; la figure dit qu’elle n’est pas à l’échelle. Vide : telle quelle.
 author-saved = gardé dans ce navigateur
+author-other-tab = Cette page est aussi ouverte dans un autre onglet, où le brouillon vient d’être modifié. Seul le brouillon modifié en dernier est conservé.
 author-test-waiting = Modifié ; les tests tourneront dans un instant.
 author-test-refused = Les tests tourneront dès que les erreurs signalées plus haut seront corrigées.
 author-test-running = Tests en cours : bonnes réponses avec d’autres repères, erreurs, chaque partie…

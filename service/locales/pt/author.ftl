@@ -161,6 +161,7 @@ author-mark-end = marcar a última origem como P
 author-lengths = Cotas desenhadas de outro modo
 author-lengths-hint = Dê a uma cota pequena outro comprimento na figura para que se leia bem; a figura diz que não está à escala. Vazio: tal como é.
 author-saved = guardado neste navegador
+author-other-tab = Esta página também está aberta noutro separador, e o rascunho acabou de ser alterado lá. Só é guardado o rascunho que for alterado por último.
 author-test-waiting = Alterado; os testes correm daqui a pouco.
 author-test-refused = Os testes correm assim que os erros assinalados acima forem corrigidos.
 author-test-running = A testar: respostas certas com outros referenciais, erros, cada parte …

@@ -206,6 +206,7 @@ author-mark-end = marchează ultima origine ca P
 author-lengths = Cote desenate altfel
 author-lengths-hint = Dați unei cote mici altă lungime în figură, ca să se citească bine; figura spune că nu este la scară. Gol: așa cum este.
 author-saved = păstrat în acest browser
+author-other-tab = Această pagină este deschisă și într-o altă filă, iar ciorna tocmai a fost modificată acolo. Se păstrează numai ciorna modificată ultima dată.
 author-test-waiting = Schimbat; testele rulează imediat.
 author-test-refused = Testele rulează de îndată ce greșelile semnalate mai sus sunt corectate.
 author-test-running = Se testează: răspunsuri corecte cu alte sisteme, greșeli, fiecare parte …

@@ -10,7 +10,7 @@
  * @typedef {{length_unit: string, lengths: Record<string, number>, axes: Axis[]}} Drawing
  */
 
-import { announce, el, iconButton, segmented } from "../dom.js";
+import { announce, el, iconButton, segmented, VERBATIM } from "../dom.js";
 import { t } from "../i18n.js";
 import { field, numberOf, refill } from "./fields.js";
 
@@ -254,9 +254,7 @@ export class AxesForm {
       type: "text",
       size: "6",
       value,
-      autocomplete: "off",
-      autocapitalize: "off",
-      spellcheck: "false",
+      ...VERBATIM,
       dataset: { field: name },
       oninput: (event) => onchange(numberOf(event.target.value) ?? 0),
     });

@@ -9,7 +9,8 @@
 import { keep, recall } from "../storage.js";
 import { UndoHistory } from "../undo.js";
 
-const KEPT = "author";
+/** Where the browser keeps the draft. */
+export const KEPT = "author";
 /** Compressed, a draft has some three thousand characters; what is far longer is no draft. */
 const LONGEST_LINK = 200_000;
 
@@ -66,6 +67,12 @@ export class DraftStore extends EventTarget {
       this.#tell(true);
     }
     return Boolean(work);
+  }
+
+  /** Takes the draft that another tab has kept, as a step that can be taken back. */
+  takeKept() {
+    const work = workOf(recall(KEPT, null));
+    if (work?.draft) this.load(work.draft, work.source);
   }
 
   /** @param {boolean} whole whether fields have to be filled anew */

@@ -1,6 +1,6 @@
 /** Fields that show and change a place of the draft. */
 
-import { el, fill, uniqueId } from "../dom.js";
+import { el, fill, uniqueId, VERBATIM } from "../dom.js";
 import { t } from "../i18n.js";
 
 /**
@@ -38,10 +38,9 @@ export function numberField(store, label, path, more = {}) {
 export function numberInput(store, path, more = {}) {
   return el("input", {
     type: "text",
-    inputmode: "decimal",
     size: "7",
     value: store.at(path) ?? "",
-    autocomplete: "off",
+    ...VERBATIM,
     dataset: { path: path.join("/") },
     ...more,
     oninput: (event) => store.set(path, numberOf(event.target.value)),

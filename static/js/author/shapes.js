@@ -1,6 +1,6 @@
 /** Fields of the shapes that a definition's values have: numbers by name, words, draws, pairs of frames, ranges. */
 
-import { el, iconButton } from "../dom.js";
+import { el, iconButton, VERBATIM } from "../dom.js";
 import { named, t } from "../i18n.js";
 import { field, numberField, numberOf, refill, textField, tick } from "./fields.js";
 
@@ -27,8 +27,7 @@ export function listField(store, label, path, labels, { names = false } = {}) {
       el("input", {
         type: "text",
         size: "5",
-        inputmode: names ? null : "decimal",
-        autocomplete: "off",
+        ...VERBATIM,
         value: store.at([...path, i]) ?? "",
         dataset: { path: [...path, i].join("/") },
         oninput: set,
@@ -49,7 +48,7 @@ export function wordsField(store, label, path, hint = "") {
     type: "text",
     value,
     oninput: set,
-    autocomplete: "off",
+    ...VERBATIM,
     dataset: { path: path.join("/"), whole: "" },
   });
   return field(label, input, hint);
@@ -107,7 +106,7 @@ export function numbersField(store, label, path) {
     size: "8",
     value,
     oninput: set,
-    autocomplete: "off",
+    ...VERBATIM,
     dataset: { path: path.join("/"), whole: "" },
   });
   return field(label, input);
@@ -222,7 +221,7 @@ function massField(store, path) {
 /** Quantities by name, each with a value and perhaps a draw. @param {DraftStore} store @param {string} label @param {Path} path */
 function quantitiesField(store, label, path) {
   const place = el("div", { class: "stack" });
-  const name = el("input", { type: "text", size: "5", autocomplete: "off", "aria-label": t("author-quantity-name") });
+  const name = el("input", { type: "text", size: "5", ...VERBATIM, "aria-label": t("author-quantity-name") });
   const build = () =>
     refill(
       place,
@@ -285,8 +284,7 @@ function rangesField(store, label, path, labels) {
     return el("input", {
       type: "text",
       size: "5",
-      inputmode: "decimal",
-      autocomplete: "off",
+      ...VERBATIM,
       value: now()[i]?.[end] ?? "",
       "aria-label": named(`${label}, ${labels[i]}`, what),
       dataset: { path: [...path, i, end].join("/") },

@@ -1,7 +1,7 @@
 /** From what an exercise is started: a robot of the catalogue, a drawing, a table, an SCM chain, URDF. */
 
 import { Latest, Problem } from "../api.js";
-import { announce, el, fill, segmented, uniqueId } from "../dom.js";
+import { announce, el, fill, segmented, uniqueId, VERBATIM } from "../dom.js";
 import { t } from "../i18n.js";
 import { COLUMNS } from "../editor/model.js";
 import { rowsTable } from "../editor/rows-table.js";
@@ -184,7 +184,7 @@ export class Start {
   }
 
   #urdf() {
-    const area = el("textarea", { rows: "8", spellcheck: "false", id: uniqueId("urdf") });
+    const area = el("textarea", { rows: "8", ...VERBATIM, id: uniqueId("urdf") });
     if (typeof this.store.source?.urdf === "string") /** @type {any} */ (area).value = this.store.source.urdf;
     const file = el("input", {
       type: "file",

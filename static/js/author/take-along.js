@@ -2,7 +2,7 @@
 
 import { copyText } from "../clipboard.js";
 import { Problem } from "../api.js";
-import { announce, el, fill } from "../dom.js";
+import { announce, el, fill, VERBATIM } from "../dom.js";
 import { language, t } from "../i18n.js";
 import { pageAddress, root } from "../page.js";
 import { problemNotice } from "../problem.js";
@@ -68,7 +68,7 @@ export function takeAlong(api, store) {
   );
   return {
     element,
-    fill: () => refill(name, textField(store, t("author-id"), ["id"], { spellcheck: "false", maxlength: "48" })),
+    fill: () => refill(name, textField(store, t("author-id"), ["id"], { ...VERBATIM, maxlength: "48" })),
     show: () => undefined,
   };
 }

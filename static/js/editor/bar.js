@@ -1,6 +1,6 @@
 /** What stands above and below the table: convention, units, undo, paste; a new row, symbols, keys. */
 
-import { el, fill, iconButton, segmented } from "../dom.js";
+import { el, fill, iconButton, segmented, setAble } from "../dom.js";
 import { t } from "../i18n.js";
 import { pageAddress } from "../page.js";
 
@@ -55,11 +55,8 @@ export class Bar {
 
   /** @param {boolean} undo @param {boolean} redo whether there is something to take back or do again */
   enable(undo, redo) {
-    /** @param {any} button @param {any} able */
-    const set = (button, able) =>
-      able ? button.removeAttribute("aria-disabled") : button.setAttribute("aria-disabled", "true");
-    set(this.undo, undo);
-    set(this.redo, redo);
+    setAble(this.undo, undo);
+    setAble(this.redo, redo);
   }
 
   /** @param {any} allowed @param {any} set */

@@ -9,7 +9,7 @@
 
 import { announce, el, fill, uniqueId } from "../dom.js";
 import { language, t } from "../i18n.js";
-import { UndoHistory } from "../undo.js";
+import { stepAsked, UndoHistory } from "../undo.js";
 import { Bar, editorFoot, symbolBar } from "./bar.js";
 import { convertedAngles, convertedLengths, doubtfulAngle, holdsNumbers } from "./convert.js";
 import { isTable } from "./cut.js";
@@ -403,10 +403,8 @@ export class DhTableEditor extends HTMLElement {
 
   /** @param {any} event */
   #undoKeys(event) {
-    if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
     if (event.target.closest("dialog")) return; // a text that is pasted there has the browser's own undo
-    const key = event.key.toLowerCase();
-    const direction = key === "y" || (key === "z" && event.shiftKey) ? "redo" : key === "z" ? "undo" : null;
+    const direction = stepAsked(event);
     if (!direction) return;
     event.preventDefault();
     this.#step(direction);

@@ -1,6 +1,6 @@
 /** The table's DOM: a real table with a field in each cell, its meaning and its fault beneath it. */
 
-import { el, fill, iconButton } from "../dom.js";
+import { el, fill, iconButton, VERBATIM } from "../dom.js";
 import { t } from "../i18n.js";
 import { pageAddress } from "../page.js";
 import { showMathml } from "../typeset.js";
@@ -181,10 +181,7 @@ export class Grid {
     const input = el("input", {
       type: "text",
       maxlength: 400,
-      autocomplete: "off",
-      autocapitalize: "off",
-      autocorrect: "off",
-      spellcheck: "false",
+      ...VERBATIM,
       oninput: () => handlers.edit(row(), cell, input.value),
       onblur: () => handlers.settle(),
       onfocus: () => handlers.focus(input, row(), cell),

@@ -1,7 +1,7 @@
 /** A dialog that takes a whole table as text, for keyboards and phones that cannot paste into cells. */
 
 import { dataTable } from "../data-table.js";
-import { el, fill, showDialog, uniqueId } from "../dom.js";
+import { el, fill, showDialog, uniqueId, VERBATIM } from "../dom.js";
 import { t } from "../i18n.js";
 import { columnText } from "./grid.js";
 import { readPasted } from "./paste.js";
@@ -16,7 +16,7 @@ export function askForTable(parent, order, convention, take) {
   const title = uniqueId("paste-title");
   const preview = el("div", { class: "paste-preview", role: "status" });
   const text = /** @type {HTMLTextAreaElement} */ (
-    el("textarea", { id: area, rows: 8, spellcheck: "false", autocapitalize: "off", oninput: () => show() })
+    el("textarea", { id: area, rows: 8, ...VERBATIM, oninput: () => show() })
   );
   /** @param {any} event */
   const use = (event) => {

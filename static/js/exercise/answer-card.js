@@ -152,6 +152,7 @@ export class AnswerCard {
     this.editor.state = table;
     this.#resize();
     this.parts.forEach((/** @type {any} */ { part, field }, /** @type {number} */ i) => {
+      field.showFaults([]);
       if (parts?.[part.kind]) field.state = parts[part.kind];
       if (field.touched) /** @type {HTMLDetailsElement} */ (this.sections[i]).open = true;
     });

@@ -4,7 +4,7 @@
  */
 
 import { columnHeads } from "../data-table.js";
-import { el, fill, uniqueId } from "../dom.js";
+import { el, fill, uniqueId, VERBATIM } from "../dom.js";
 import { named, t } from "../i18n.js";
 import { typed as read } from "./typed.js";
 import { plain } from "../numbers.js";
@@ -131,6 +131,7 @@ class FormField {
 
   set state(values) {
     if (!Array.isArray(values)) return;
+    if (this.field.shape === "list") this.#cut(Math.max(1, values.length));
     this.#grow(values.length);
     values.forEach((row, i) =>
       row.forEach((/** @type {string} */ text, /** @type {number} */ k) => {
@@ -159,6 +160,11 @@ class FormField {
   #at(where) {
     const [row, column] = this.field.shape === "vector" ? [0, where[0]] : where;
     return this.rows[Number(row ?? 0)]?.[Number(column ?? 0)] ?? this.rows[0][0];
+  }
+
+  /** Takes away the rows after so many: an earlier answer had fewer. @param {number} count */
+  #cut(count) {
+    for (const _ of this.rows.splice(count)) this.body.lastElementChild?.remove();
   }
 
   /** @param {number} count */
@@ -201,9 +207,7 @@ class FormField {
         : el("input", {
             ...shared,
             type: "text",
-            autocomplete: "off",
-            autocapitalize: "off",
-            spellcheck: "false",
+            ...VERBATIM,
             "aria-label": single ? null : name,
             oninput: changed,
           });

@@ -4,7 +4,7 @@
  * follows the cursor it is silent, because the cell is read out already.
  */
 
-import { announce, el, fill, icon, iconButton } from "../dom.js";
+import { announce, el, fill, icon, iconButton, setAble } from "../dom.js";
 import { LETTERS } from "../editor/model.js";
 import { t } from "../i18n.js";
 import { degrees, inSentence, subscript } from "../numbers.js";
@@ -140,8 +140,8 @@ export class FilmBar {
 
   #draw() {
     const robot = this.#robot;
-    this.rows[0].toggleAttribute("disabled", this.#row <= 0);
-    this.rows[1].toggleAttribute("disabled", !robot || this.#row >= robot.rows.length - 1);
+    setAble(this.rows[0], this.#row > 0);
+    setAble(this.rows[1], robot !== null && this.#row < robot.rows.length - 1);
     if (!robot || this.#row < 0) {
       if (this.scene.overlay.items.length) this.scene.overlay = emptyModel();
       this.light(-1, "");

@@ -3,7 +3,7 @@
  * shows or typed, and drawn on the robot at once. The same interface as the fields of `part-fields.js`.
  */
 
-import { el, uniqueId } from "../dom.js";
+import { el, uniqueId, VERBATIM } from "../dom.js";
 import { t } from "../i18n.js";
 import { plain } from "../numbers.js";
 import { cross, dot, norm, unit } from "../scene/matrix.js";
@@ -164,9 +164,7 @@ class TripleField {
           el("input", {
             type: "text",
             size: 6,
-            autocomplete: "off",
-            autocapitalize: "off",
-            spellcheck: "false",
+            ...VERBATIM,
             "aria-label": `${name}, ${axis}`,
             oninput: () => ((this.fault = ""), changed()),
           })

@@ -14,17 +14,24 @@ export class MatrixReading {
     this.api = api;
     this.parts = parts;
     this.table = table;
-    this.soon = debounced(() => void this.#read(), PAUSE);
+    this.paused = debounced(() => void this.#read(), PAUSE);
   }
 
-  /** @returns {MatrixField[]} in which something stands */
+  /** Reads once typing has paused; what is on its way was of other cells. */
+  soon() {
+    this.#latest.cancel();
+    this.paused();
+  }
+
+  /** @returns {MatrixField[]} */
   get #matrices() {
     const all = this.parts.flatMap(({ field }) => (field instanceof MatrixListField ? field.shown : [field]));
-    return all.filter((field) => field instanceof MatrixField && field.touched);
+    return all.filter((field) => field instanceof MatrixField);
   }
 
   async #read() {
-    const fields = this.#matrices;
+    const fields = this.#matrices.filter(({ touched }) => touched);
+    for (const field of this.#matrices) if (!field.touched) field.showMeaning([], []);
     if (!fields.length) return;
     const matrices = fields.map((field) => field.value);
     const question = { table: this.table(), matrices };

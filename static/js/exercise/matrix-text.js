@@ -79,9 +79,14 @@ function cellsOf(line) {
   if (line === "") return [];
   if (line.includes("\t")) return line.split("\t").map((cell) => cell.trim());
   const commas = split(line, /,/);
-  if (commas.length > 1) return commas;
+  if (commas.length > 1 && !hasDecimalCommas(line)) return commas;
   const joined = line.replace(/\s*([*/^·])\s*/g, "$1").replace(/(\S)\s+([+\-−])\s+(?=\S)/g, "$1$2");
   return split(joined, /\s/);
+}
+
+/** Whether blanks part the cells, and every comma stands between digits: 0,5 0 -0,866 1. @param {string} line */
+function hasDecimalCommas(line) {
+  return /\S\s+\S/.test(line) && !/(^|\D),|,(\D|$)/.test(line);
 }
 
 /** @param {string} line @param {RegExp} separator */

@@ -1,6 +1,6 @@
 /** The student's own robot: scene, joints, values of parameters, matrices. Nothing here knows the key. */
 
-import { el, fill, uniqueId } from "../dom.js";
+import { el, fill, uniqueId, VERBATIM } from "../dom.js";
 import { named, t } from "../i18n.js";
 import { resetButton } from "../joint-sliders.js";
 import { numberIn, plain } from "../numbers.js";
@@ -213,7 +213,7 @@ export class OwnCard {
           id,
           name,
           type: "text",
-          inputmode: "decimal",
+          ...VERBATIM,
           oninput: (event) => take(event.target.value),
           onblur: () => this.#showValues(),
         }),

@@ -4,7 +4,7 @@
  * typed), `showFaults(faults)`, `focus(where?)`, `onchange`.
  */
 
-import { el, fill, uniqueId } from "../dom.js";
+import { el, fill, uniqueId, VERBATIM } from "../dom.js";
 import { t } from "../i18n.js";
 import { typed } from "./typed.js";
 import { showMathml, transformName } from "../typeset.js";
@@ -50,9 +50,7 @@ export class MatrixField {
           el("input", {
             id: `${id}-${i}${k}`,
             type: "text",
-            autocomplete: "off",
-            autocapitalize: "off",
-            spellcheck: "false",
+            ...VERBATIM,
             "aria-label": t("form-matrix-cell", { name, row: i + 1, column: k + 1 }),
             "aria-describedby": `${meaning.id} ${line.id}`,
             value: i === 3 ? (k === 3 ? "1" : "0") : "",
@@ -181,8 +179,7 @@ export class MatrixField {
     /** @type {HTMLTextAreaElement} */
     const area = el("textarea", {
       rows: 4,
-      spellcheck: "false",
-      autocapitalize: "off",
+      ...VERBATIM,
       "aria-label": t("form-matrix-text-label", { name }),
       "aria-describedby": line.id,
       oninput: () => {
@@ -273,7 +270,7 @@ export class NumbersField {
           el("input", {
             id: uniqueId("number"),
             type: "text",
-            autocomplete: "off",
+            ...VERBATIM,
             size: 10,
             "aria-describedby": line.id,
             oninput: () => (setFault(input, line, ""), this.onchange()),

@@ -1,5 +1,6 @@
 /** A receipt of a verdict to hand in: text to paste, a QR code, and a page to print with the robot and the table. */
 
+import { copyText } from "../clipboard.js";
 import { announce, el, showDialog, uniqueId } from "../dom.js";
 import { t } from "../i18n.js";
 import { problemNotice } from "../problem.js";
@@ -31,13 +32,10 @@ export function openReceipt(api, exercise, { request }) {
   const shown = ({ receipt, qr, points, max_points: most }) => {
     const text = el("textarea", { rows: 5, readonly: true, "aria-label": t("form-receipt-as-text") });
     text.value = receipt;
-    const copy = async () => {
-      text.select();
-      await navigator.clipboard
-        .writeText(receipt)
-        .then(() => announce(t("form-copied", { format: t("form-receipt-as-text") })))
-        .catch(() => announce(t("form-copy-failed")));
-    };
+    const copy = async () =>
+      announce(
+        t((await copyText(receipt)) ? "form-copied" : "form-copy-failed", { format: t("form-receipt-as-text") }),
+      );
     const print = async () => save(await api.file(`${address}.pdf`, body()), `${exercise.id}.pdf`);
     const picture = el("img", {
       class: "receipt-qr",

@@ -1,7 +1,7 @@
 /** The page on which an exercise is made: on the left what it is, on the right how it looks and whether it holds. */
 
 import { Latest, Problem } from "../api.js";
-import { DraftStore, workIn } from "../author/draft-store.js";
+import { DraftStore, KEPT, workIn } from "../author/draft-store.js";
 import { DimensionHandles } from "../author/dimension-handles.js";
 import { figureSection } from "../author/figure-form.js";
 import { samplesSection } from "../author/samples.js";
@@ -10,12 +10,13 @@ import { Start } from "../author/start.js";
 import { folderField, takeAlong } from "../author/take-along.js";
 import { textsSection } from "../author/texts.js";
 import { asStudent, rightAnswers, SelfTest, wrongAnswers } from "../author/trials.js";
-import { announce, debounced, el, fill, iconButton, variable } from "../dom.js";
+import { announce, debounced, el, fill, iconButton, setAble, variable } from "../dom.js";
 import { named, t } from "../i18n.js";
 import { inSentence } from "../numbers.js";
-import { api, forgetFragment, startPage } from "../page.js";
+import { api, forgetFragment, startPage, watchOtherTabs } from "../page.js";
 import { problemNotice } from "../problem.js";
 import { openSession } from "../session/course-session.js";
+import { stepAsked } from "../undo.js";
 
 /** Milliseconds without a change until the draft is looked at. */
 const REST = 350;
@@ -75,6 +76,10 @@ class AuthorPage {
     else this.start.show("robot");
     this.store.addEventListener("draft", () => forgetFragment("draft"));
     window.addEventListener("hashchange", () => void this.#follow());
+    watchOtherTabs(KEPT, t("author-other-tab"), () => {
+      this.store.takeKept();
+      this.start.resume();
+    });
   }
 
   /** Another draft's address that is opened where this page stands loads nothing: only its fragment is another. */
@@ -90,8 +95,8 @@ class AuthorPage {
     const { draft } = this.store;
     for (const card of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-needs-draft]")))
       card.hidden = !draft;
-    this.undo?.toggleAttribute("disabled", !this.store.canUndo);
-    this.redo?.toggleAttribute("disabled", !this.store.canRedo);
+    if (this.undo) setAble(this.undo, this.store.canUndo);
+    if (this.redo) setAble(this.redo, this.store.canRedo);
     if (!draft) return;
     if (whole) Object.values(this.sections).forEach((section) => section.fill());
     $("author-saved").textContent = t("author-saved");
@@ -133,12 +138,11 @@ class AuthorPage {
   /** Undo and redo of the whole draft; inside a text the browser's own go first. @param {KeyboardEvent} event */
   #keys(event) {
     const target = /** @type {HTMLElement} */ (event.target);
-    if (!(event.ctrlKey || event.metaKey) || event.altKey || target.closest("input, textarea, dh-table-editor")) return;
-    const key = event.key.toLowerCase();
-    if (key === "y" || (key === "z" && event.shiftKey)) this.store.redo();
-    else if (key === "z") this.store.undo();
-    else return;
+    if (target.closest("input, textarea, dh-table-editor")) return;
+    const direction = stepAsked(event);
+    if (!direction) return;
     event.preventDefault();
+    this.store[direction]();
   }
 }
 

@@ -18,11 +18,11 @@ import { t } from "../i18n.js";
 import "../joint-sliders.js";
 import { LiveRobot, robotOf } from "../live-robot.js";
 import "../matrix-panel.js";
-import { api, pageAddress, startPage, warnAbove } from "../page.js";
+import { api, pageAddress, startPage, warnAbove, watchOtherTabs } from "../page.js";
 import { inSentence } from "../numbers.js";
 import { problemNotice } from "../problem.js";
 import "../scene/robot-scene.js";
-import { keep, recall, whenKeptElsewhere } from "../storage.js";
+import { keep, recall } from "../storage.js";
 import { CourseSession, notOpened, openAsked, openSession, receiptView } from "../session/course-session.js";
 import { convertedValues } from "../units.js";
 
@@ -107,7 +107,7 @@ async function run() {
     keep(`read-off:${id}`, null);
   }
   const frame = isPackaged() ? new PackageFrame(resume) : null;
-  watchOtherTabs();
+  watchOtherTabs(draftKey, t("form-other-tab"), () => resume(recall(draftKey, null)));
   follow({ now: true });
   await listAttempts();
   const lecturers = !course && !frame && !api.context;
@@ -133,17 +133,6 @@ async function run() {
     restore(state);
     keepDraft();
     follow({ now: true });
-  }
-
-  /** What is typed last stays; whoever has the exercise open twice is told so once, and may take the other answer. */
-  function watchOtherTabs() {
-    /** @type {HTMLElement | null} */
-    let warning = null;
-    whenKeptElsewhere(draftKey, () => {
-      if (warning?.isConnected) return;
-      const action = { text: t("form-other-tab-take"), run: () => resume(recall(draftKey, null)) };
-      warning = warnAbove(t("form-other-tab"), action);
-    });
   }
 
   /**
@@ -241,7 +230,7 @@ async function run() {
 
   /** Where the robot of an attempt departs, of which too many answers kept the service when it was judged. @param {number} number @param {any} table */
   async function departing(number, table) {
-    const { report: graded } = await /** @type {CourseSession} */ (course).reopen(number);
+    const { report: graded } = await /** @type {CourseSession} */ (course).attempt(number);
     return { graded, drawn: await drawnFor(graded, table) };
   }
 
@@ -255,18 +244,21 @@ async function run() {
   }
 
   /**
-   * Takes an earlier attempt back and shows what was found of it, by the exercise as it was then.
+   * Takes an earlier attempt back and shows what was found of it, by the exercise as it was then, once all of it is here.
    * @param {CourseSession} course @param {import("../attempts.js").Attempt} attempt
    */
   async function reopen(course, attempt) {
     const number = attempt.number ?? 0;
-    const { report, form, answer: sent } = await course.reopen(number);
+    const mended = !course.isCurrent(attempt) && attempt.version?.startsWith(`${id}-`);
+    const found = await course.reopen(number, async ({ report, form, answer: sent }) => {
+      const then = mended ? await api.get(`exercises/${attempt.version}${query}`) : exercise;
+      const drawn = report && (await drawnFor(report, sent.table, then));
+      return { report, form, table: sent?.table, then, drawn };
+    });
+    if (!found) return;
+    const { report, form, table, then, drawn } = found;
     takeBack(form);
     if (report === null) return fill($("submit-problem"), receiptView({ attempt: number }));
-    const mended = !course.isCurrent(attempt) && attempt.version?.startsWith(`${id}-`);
-    const then = mended ? await api.get(`exercises/${attempt.version}${query}`) : exercise;
-    const { table } = sent;
-    const drawn = await drawnFor(report, table, then);
     const convention = table?.convention ?? "standard";
     const further = mended ? mendedNotice(attempt) : null;
     verdict.show(report, { exercise: then, answer, convention, table, drawn, changed: false, further });

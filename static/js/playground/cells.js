@@ -1,6 +1,6 @@
 /** A small grid of fields with named columns and as many rows as wanted: axes, SCM chains, target poses. */
 
-import { el, fill, iconButton } from "../dom.js";
+import { el, fill, iconButton, VERBATIM } from "../dom.js";
 import { t } from "../i18n.js";
 import { numberIn } from "../numbers.js";
 
@@ -117,9 +117,7 @@ export class Cells {
       ...shared,
       type: "text",
       value,
-      spellcheck: "false",
-      autocapitalize: "off",
-      autocomplete: "off",
+      ...VERBATIM,
     });
   }
 }

@@ -1,6 +1,6 @@
 /** How far each joint may go: shown, changed, and used by the sliders and by every answer. */
 
-import { el, fill, uniqueId } from "../dom.js";
+import { el, fill, uniqueId, VERBATIM } from "../dom.js";
 import { named, t } from "../i18n.js";
 import { numberIn, plain } from "../numbers.js";
 
@@ -88,8 +88,7 @@ export class JointLimits {
       return el("input", {
         id: uniqueId("limit"),
         type: "text",
-        inputmode: "decimal",
-        autocomplete: "off",
+        ...VERBATIM,
         value: value === null ? "" : plain(value, 4),
         "aria-label": t(label, { name, unit }),
         oninput: (event) => this.#typed(i, end, event.target),

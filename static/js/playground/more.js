@@ -4,7 +4,7 @@
  */
 
 import { Latest } from "../api.js";
-import { el, fill, segmented, uniqueId } from "../dom.js";
+import { el, fill, segmented, uniqueId, VERBATIM } from "../dom.js";
 import { rowsTable } from "../editor/rows-table.js";
 import { named as called, t } from "../i18n.js";
 import { shown } from "../numbers.js";
@@ -153,7 +153,7 @@ const choice =
 
 /** @param {Context} context @returns {Fields} */
 function conditionFields({ again }) {
-  const field = el("textarea", { rows: "2", spellcheck: "false", autocapitalize: "off", onchange: again });
+  const field = el("textarea", { rows: "2", ...VERBATIM, onchange: again });
   return {
     controls: [el("label", { class: "field" }, t("playground-conditions"), field)],
     value: () => field.value.split("\n").filter((line) => line.trim()),

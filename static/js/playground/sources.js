@@ -1,7 +1,7 @@
 /** Ways to a table other than typing it: a catalogue robot, joint axes, an SCM chain, URDF. */
 
 import { Latest, Problem } from "../api.js";
-import { el, fill, uniqueId } from "../dom.js";
+import { el, fill, uniqueId, VERBATIM } from "../dom.js";
 import { t } from "../i18n.js";
 import { problemNotice } from "../problem.js";
 import { Cells, cellValue } from "./cells.js";
@@ -153,7 +153,7 @@ const values = (row) => Object.fromEntries(Object.entries(row).map(([name, text]
 /** URDF in, a table out. @param {import("../api.js").Api} api @param {(found: Found) => void} use */
 export function urdfSource(api, use) {
   const id = uniqueId("urdf");
-  const area = /** @type {HTMLTextAreaElement} */ (el("textarea", { id, rows: "8", spellcheck: "false" }));
+  const area = /** @type {HTMLTextAreaElement} */ (el("textarea", { id, rows: "8", ...VERBATIM }));
   const field = el("div", { class: "field" }, el("label", { for: id, text: "URDF" }), area);
   /** @param {any} to @param {any} signal */
   const run = async (to, signal) => {

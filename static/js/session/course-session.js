@@ -3,7 +3,7 @@
  * for a token. The token is sent with every call; no cookie says who somebody is.
  */
 
-import { pauseAfter, Problem, Throttled } from "../api.js";
+import { Latest, pauseAfter, Problem, Throttled } from "../api.js";
 import { debounced, el, fill } from "../dom.js";
 import { dates, ownDirection, t } from "../i18n.js";
 import { percentOf, pointsTold } from "../numbers.js";
@@ -115,6 +115,8 @@ export class CourseSession {
   /** Drafts go one after another: one that is slow on its way never takes the place of a later one. */
   #drafts = new Throttled(0);
   #failures = 0;
+  #reopening = new Latest();
+
   /** @param {import("../api.js").Api} api @param {any} told what the service says of the session */
   constructor(api, told) {
     this.#api = api;
@@ -148,6 +150,7 @@ export class CourseSession {
 
   /** Has the service keep what is typed, soon; until it has, this browser knows of it. @param {unknown} state */
   draft(state) {
+    this.#reopening.cancel();
     this.typed = state;
     keep(this.#unsent, this.#now);
     this.#store(state);
@@ -228,6 +231,7 @@ export class CourseSession {
    * @param {unknown} request @param {unknown} form @returns {Promise<any>}
    */
   async submit(request, form) {
+    this.#reopening.cancel();
     const sent = this.#sentOf(JSON.stringify(request));
     let graded;
     try {
@@ -255,8 +259,19 @@ export class CourseSession {
   }
 
   /** An attempt with what was found of it, as far as it may be shown now. @param {number} number @returns {Promise<any>} */
-  reopen(number) {
+  attempt(number) {
     return this.#api.get(`session/attempts/${number}`);
+  }
+
+  /**
+   * An attempt to go on with; null if another one is wanted, or something is typed or handed in, before all of it is here.
+   * @template Found
+   * @param {number} number @param {(attempt: any) => Promise<Found>} more brings what is shown with it
+   * @returns {Promise<Found | null>}
+   */
+  async reopen(number, more) {
+    const found = await this.#reopening.run(async () => more(await this.attempt(number)));
+    return found && found.value;
   }
 
   /** What a submission is sent with: as before, if it has had no answer. @param {string} request @returns {Sent} */

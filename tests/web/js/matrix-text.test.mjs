@@ -35,6 +35,14 @@ test("LaTeX", () => {
   assert.deepEqual(matrix?.[3], ["0", "0", "0", "1"]);
 });
 
+test("cells with decimal commas are parted by blanks", () => {
+  const source = "0,5 -0,866 0 1,2\n0,866 0,5 0 0,4\n0,0 0,0 1,0 0,0\n0 0 0 1";
+  assert.deepEqual(readMatrix(source)?.[0], ["0,5", "-0,866", "0", "1,2"]);
+  assert.deepEqual(blockOf("0,5 0,25"), [["0,5", "0,25"]]);
+  assert.deepEqual(blockOf("1,0, 0"), [["1", "0", "0"]]);
+  assert.deepEqual(blockOf("1,0,0"), [["1", "0", "0"]]);
+});
+
 test("functions of two arguments stay whole", () => {
   const source = "[cos(q1), 0, 0, 0; 0, atan2(a, b), 0, 0; 0, 0, 1, 0; 0, 0, 0, 1]";
   assert.equal(readMatrix(source)?.[1][1], "atan2(a, b)");

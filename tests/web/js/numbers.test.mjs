@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { asPoints, fractionIn, pointsTold } from "../../../static/js/numbers.js";
+import { asPoints, fractionIn, numberIn, pointsTold } from "../../../static/js/numbers.js";
 
 test("points read the same, earned or worked out again from the share of all points", () => {
   for (let total = 1; total <= 100; total += 1) {
@@ -48,4 +48,19 @@ test("a pose's numbers may be roots and fractions, as books print them", () => {
   assert.equal(fractionIn("-1.5e-3"), -0.0015);
   for (const text of ["", "x", "1/", "/2", "1/0", "1/2/3", "√", "√-1", "2 3", "√2√3"])
     assert.equal(fractionIn(text), null, text);
+});
+
+test("a number from a PDF or a text program may have another minus and what nobody sees", () => {
+  for (const text of [
+    "\u22122.5",
+    "\u20132.5",
+    "\u20112,5",
+    "\uff0d2.5",
+    "\u200b-2.5\u200e",
+    "\ufeff\u22122.5",
+    "\u2011\u00ad2.5",
+  ])
+    assert.equal(numberIn(text), -2.5, JSON.stringify(text));
+  assert.equal(numberIn("1.5e\u22123"), 0.0015);
+  for (const text of ["2\u20133", "\u2013", "\u200b"]) assert.equal(numberIn(text), null, JSON.stringify(text));
 });

@@ -103,3 +103,29 @@ test("the service's clock goes on where its answer after a hand-in is lost", asy
   };
   assert.deepEqual(session.latest({ typed: "last" }).state, { typed: "last" });
 });
+
+test("an attempt that is slow to reopen gives way to another one, and to what is typed or handed in", async (context) => {
+  clockOf(context);
+  const asked = new Map();
+  const get = (path) => (path === "session" ? { ...TOLD } : new Promise((answer) => asked.set(path, answer)));
+  const session = new CourseSession(
+    { get: async (path) => get(path), put: async () => ({}), post: async () => ({}) },
+    TOLD,
+  );
+  const reopen = (number) => session.reopen(number, async (attempt) => attempt.number);
+  const answer = async (number) => {
+    for (let i = 0; i < 20; i += 1) await Promise.resolve();
+    asked.get(`session/attempts/${number}`)({ number });
+  };
+  const first = reopen(1);
+  const second = reopen(2);
+  await answer(2);
+  await answer(1);
+  assert.deepEqual([await first, await second], [null, 2]);
+  for (const act of [() => session.draft({ typed: "meanwhile" }), () => session.submit({}, {})]) {
+    const late = reopen(3);
+    act();
+    await answer(3);
+    assert.equal(await late, null);
+  }
+});
