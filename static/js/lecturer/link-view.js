@@ -1,20 +1,15 @@
-/** One link: its numbers, the attempts behind them, its rules, regrading, export. */
+/** One link: its numbers, the attempts behind them, its rules, what is done with it. */
 
 import { Latest, Problem } from "../api.js";
 import { dataTable } from "../data-table.js";
 import { announce, el, fill } from "../dom.js";
-import { partName } from "../exercise/progress.js";
-import { dates, knows, named, t } from "../i18n.js";
+import { dates, named, t } from "../i18n.js";
 import { percentOf } from "../numbers.js";
-import { pageAddress } from "../page.js";
 import { problemNotice, telling } from "../problem.js";
-import { barChart } from "./chart.js";
 import { studentName } from "./class-view.js";
+import { linkNumbers, LISTED } from "./link-numbers.js";
+import { linkWork } from "./link-work.js";
 import { entryOf, settingsForm } from "./settings-form.js";
-
-const DAYS = 40;
-/** Attempts that the service lists at most. */
-const LISTED = 200;
 
 export class LinkView {
   #shown = new Latest();
@@ -46,9 +41,10 @@ export class LinkView {
       if (!answer) return false;
       const { settings, found, choice } = answer.value;
       this.#begin(link);
-      const numbers = link.exercise ? [this.#numbers(found), this.#mistakes(found), this.#unexplained(found)] : [];
+      const numbers = link.exercise ? linkNumbers(found, (...asked) => this.#opener(...asked)) : null;
       const rules = this.#rules(settings, choice);
-      fill(body, numbers, this.behind, rules, link.exercise ? this.#work(settings) : null);
+      const act = { path: (/** @type {string} */ rest) => this.#path(rest, link), changed: this.act.changed };
+      fill(body, numbers, this.behind, rules, link.exercise ? linkWork(this.api, link, settings, act) : null);
     } catch (error) {
       this.#begin(link);
       fill(body, problemNotice(error));
@@ -98,95 +94,6 @@ export class LinkView {
   /** @param {any} rest @param {any} [link] */
   #path(rest, link = this.link) {
     return `course/links/${link.id}/${rest}`;
-  }
-
-  /** @param {any} options */
-  #numbers({ attempts, students, solved, first_attempt_rate: first, days, sequence }) {
-    const percent = first === null ? "–" : percentOf(first);
-    const facts = [
-      [t("lecturer-attempts-made"), this.#opener(attempts, {})],
-      [t("lecturer-students"), this.#opener(students, {})],
-      [t("lecturer-solved"), this.#opener(solved, { outcome: "solved" })],
-      [t("lecturer-first-rate"), this.#opener(first ?? 0, { number: 1, correct: true }, percent)],
-    ];
-    const dayBars = days
-      .slice(-DAYS)
-      .map((/** @type {any} */ { day, attempts: all, correct: part }) => ({ label: dayName(day), all, part }));
-    return [
-      el(
-        "dl",
-        { class: "row" },
-        facts.map(([name, value]) => el("div", {}, el("dt", { text: name }), el("dd", {}, value))),
-      ),
-      el("h3", { text: t("lecturer-by-day") }),
-      barChart(dayBars, t("lecturer-by-day")),
-      dataTable(
-        t("lecturer-by-day"),
-        [t("lecturer-day"), t("lecturer-attempts-made"), t("lecturer-right")],
-        days.map((/** @type {any} */ { day, attempts: all, correct }) => [
-          dayName(day),
-          this.#opener(all, { day }),
-          this.#opener(correct, { day, correct: true }),
-        ]),
-      ),
-      el("h3", { text: t("lecturer-sequence") }),
-      barChart(
-        sequence.map((/** @type {any} */ { attempt, reached, solved: part }) => ({
-          label: t("lecturer-attempt-number", { attempt }),
-          all: reached,
-          part,
-        })),
-        t("lecturer-sequence"),
-      ),
-      dataTable(
-        t("lecturer-sequence"),
-        [t("lecturer-attempt"), t("lecturer-reached"), t("lecturer-solved"), t("lecturer-left")],
-        sequence.map((/** @type {any} */ step) => [
-          step.attempt,
-          this.#opener(step.reached, { number: step.attempt, outcome: "reached" }),
-          this.#opener(step.solved, { number: step.attempt, outcome: "solved" }),
-          this.#opener(step.dropped_out, { number: step.attempt, outcome: "left" }),
-        ]),
-      ),
-    ];
-  }
-
-  /** @param {any} options */
-  #mistakes({ misconceptions }) {
-    if (!misconceptions.length) return null;
-    return [
-      el("h3", { text: t("lecturer-mistakes") }),
-      barChart(
-        misconceptions.map((/** @type {any} */ entry) => ({ label: mistakeName(entry), all: entry.attempts })),
-        t("lecturer-mistakes"),
-      ),
-      dataTable(
-        t("lecturer-mistakes"),
-        [t("lecturer-mistake"), t("lecturer-attempts-made"), t("lecturer-students"), t("lecturer-example")],
-        misconceptions.map((/** @type {any} */ entry) => [
-          entry.kind.startsWith("part:") ? partName(entry.kind.slice("part:".length)) : mistakeName(entry),
-          this.#opener(entry.attempts, { kind: entry.kind, code: entry.code }),
-          this.#opener(entry.students, { kind: entry.kind, code: entry.code }),
-          entry.example ?? "–",
-        ]),
-      ),
-    ];
-  }
-
-  /** @param {any} options */
-  #unexplained({ unexplained }) {
-    if (!unexplained.length) return null;
-    return [
-      el("h3", { text: t("lecturer-unexplained") }),
-      dataTable(
-        t("lecturer-unexplained"),
-        [t("lecturer-does-not-fit"), t("lecturer-attempts-made")],
-        unexplained.map((/** @type {any} */ { facts, attempts }) => [
-          facts.map(factName).join(", "),
-          this.#opener(attempts.length, { ids: attempts.slice(0, LISTED).join(",") }),
-        ]),
-      ),
-    ];
   }
 
   /**
@@ -322,104 +229,4 @@ export class LinkView {
       said,
     );
   }
-
-  /** @param {any} settings */
-  #work({ mode, feedback }) {
-    const said = el("div", { class: "stack", role: "status" });
-    const { link } = this;
-    const release = telling(said, async () => {
-      await this.api.post(this.#path("release"), {});
-      link.released = true;
-      releasing.remove();
-      fill(said, el("p", { text: t("lecturer-released") }));
-    });
-    const askFirst = async () =>
-      fill(
-        said,
-        el("p", { class: "notice notice-warn", text: t("lecturer-release-sure") }),
-        el(
-          "div",
-          {},
-          el("button", { type: "button", class: "primary", onclick: release, text: t("lecturer-release-now") }),
-        ),
-      );
-    const preview = async () => {
-      const { exercise, code } = await this.api.post(this.#path("preview"), {});
-      const address = `${pageAddress(`exercises/${exercise}`)}#session=${code}`;
-      const link = el("a", { href: address, target: "_blank", rel: "noopener", text: t("lecturer-preview-open") });
-      fill(said, el("p", {}, link), el("p", { class: "hint", text: t("lecturer-preview-text") }));
-      link.focus();
-    };
-    const regrade = async (/** @type {string} */ scope) => {
-      fill(said, el("p", { text: t("form-loading") }));
-      const { run, changes, unread } = await this.api.post(this.#path("regradings"), { scope });
-      const apply = telling(said, async () => {
-        await this.api.post(this.#path(`regradings/${run}/apply`), {});
-        await this.act.changed();
-        fill(said, el("p", { text: t("lecturer-applied") }));
-      });
-      const row = (/** @type {any} */ { before, ...entry }) => [studentName(entry), entry.number, percentOf(before)];
-      const rows = changes.map((/** @type {any} */ entry) => [...row(entry), percentOf(entry.after)]);
-      const kept = [t("lecturer-student"), t("lecturer-attempt"), t("lecturer-before")];
-      const headings = [...kept, t("lecturer-after")];
-      fill(
-        said,
-        changes.length ? dataTable(t("lecturer-changes"), headings, rows) : el("p", { text: t("lecturer-no-changes") }),
-        changes.length
-          ? el("button", { type: "button", class: "primary", onclick: apply, text: t("lecturer-apply") })
-          : null,
-        unread.length ? dataTable(t("lecturer-unread"), kept, unread.map(row)) : null,
-      );
-    };
-    /** @param {string} text @param {() => Promise<void>} work */
-    const button = (text, work) => el("button", { type: "button", onclick: telling(said, work), text });
-    const releasing = button(t("lecturer-release"), askFirst);
-    const isWithheld = !link.released && (mode === "exam" || feedback !== "at_once");
-    return el(
-      "section",
-      { class: "stack" },
-      link.released ? el("p", { class: "hint", text: t("lecturer-released") }) : null,
-      el(
-        "p",
-        { class: "row no-print" },
-        button(t("lecturer-preview"), preview),
-        isWithheld ? releasing : null,
-        button(t("lecturer-regrade-counted"), () => regrade("counted")),
-        button(t("lecturer-regrade-all"), () => regrade("all")),
-        button("CSV", () => this.#download("csv")),
-        button("JSON", () => this.#download("json")),
-      ),
-      said,
-    );
-  }
-
-  /** A file with every attempt; the token goes in a header, so that no address holds it. @param {string} form */
-  async #download(form) {
-    const answer = await fetch(this.api.address(this.#path(`export.${form}`)), {
-      headers: { Authorization: `Bearer ${this.api.token}` },
-      credentials: "omit",
-    });
-    if (!answer.ok) throw new Problem(answer.status, await answer.json());
-    const address = URL.createObjectURL(await answer.blob());
-    const anchor = /** @type {HTMLAnchorElement} */ (el("a", { href: address, download: `attempts.${form}` }));
-    anchor.click();
-    setTimeout(() => URL.revokeObjectURL(address), 10_000);
-  }
-}
-
-/** @param {string} fact of a row, such as "2:length", or a part, such as ":pose" */
-function factName(fact) {
-  const [row, name] = fact.split(":");
-  if (!row) return t(`form-part-${name.replaceAll("_", "-")}`);
-  return named(`${t("form-row-heading")} ${row}`, t(`form-fact-${name}`));
-}
-
-/** What a mistake is called: those in tables have names, others what a student was told. @param {any} entry */
-function mistakeName({ code, example }) {
-  return knows(`option-${code}`) ? t(`option-${code}`) : (example ?? code);
-}
-
-/** @param {string} day as the service counts them, in UTC */
-function dayName(day) {
-  return dates({ dateStyle: "medium", timeZone: "UTC" }).format(new Date(day));
 }
