@@ -1,5 +1,6 @@
 /** One attempt: what was typed, what was found, and the robots of student and key in one picture. */
 
+import { Latest } from "../api.js";
 import { dataTable } from "../data-table.js";
 import { el, fill } from "../dom.js";
 import { columnText } from "../editor/grid.js";
@@ -11,8 +12,30 @@ import { dates, language, t } from "../i18n.js";
 import { robotOf } from "../live-robot.js";
 import { convertedValues } from "../units.js";
 
-/** @param {import("../api.js").Api} api @param {HTMLElement} card @param {HTMLElement} place @param {any} attempt */
-export async function showAttempt(api, card, place, attempt) {
+export class AttemptView {
+  #latest = new Latest();
+
+  /** @param {import("../api.js").Api} api @param {HTMLElement} card @param {HTMLElement} place in the card */
+  constructor(api, card, place) {
+    this.api = api;
+    this.card = card;
+    this.place = place;
+  }
+
+  /** Shows an attempt, unless another one was asked for before all of it was here. @param {number} id */
+  async open(id) {
+    const answer = await this.#latest.run(async (signal) => {
+      const attempt = await this.api.get(`course/attempts/${id}`, { signal });
+      const gone = { parts: [] }; // an exercise that is gone names no places
+      const exercise = await this.api.get(pathOf(attempt), { signal }).catch(() => gone);
+      return { attempt, exercise, ...(await import("../exercise/answer-card.js")) };
+    });
+    if (answer) await showAttempt(this.api, this.card, this.place, answer.value);
+  }
+}
+
+/** @param {import("../api.js").Api} api @param {HTMLElement} card @param {HTMLElement} place @param {any} found */
+async function showAttempt(api, card, place, { attempt, exercise, placeOf }) {
   const { answer, report, person } = attempt;
   const when = dates({ dateStyle: "medium", timeStyle: "medium" });
   const { table, ...others } = report.parts;
@@ -23,8 +46,7 @@ export async function showAttempt(api, card, place, attempt) {
     row.joint ? t(`form-joint-${row.joint}`) : "",
     ...cells.map((cell) => String(row[cell] ?? "")),
   ]);
-  const exercise = await api.get(pathOf(attempt)).catch(() => ({ parts: [] })); // one that is gone names no places
-  const { placeOf } = await import("../exercise/answer-card.js");
+  const pictures = el("div");
   card.hidden = false;
   fill(
     place,
@@ -64,11 +86,12 @@ export async function showAttempt(api, card, place, attempt) {
       el("summary", { text: t("lecturer-as-sent") }),
       el("pre", { text: JSON.stringify(answer, null, 2) }),
     ),
+    pictures,
   );
   card.focus({ preventScroll: true });
   card.scrollIntoView({ block: "start" });
   if (answer.table && exercise.parameters)
-    await draw(api, place, attempt, exercise).catch((error) => console.warn(error));
+    await draw(api, pictures, attempt, exercise).catch((error) => console.warn(error));
 }
 
 /** Where the exercise is as it was when this was handed in. @param {any} attempt @param {string} [file] of its folder */

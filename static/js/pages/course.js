@@ -2,7 +2,7 @@
 
 import { el, fill } from "../dom.js";
 import { t } from "../i18n.js";
-import { showAttempt } from "../lecturer/attempt-view.js";
+import { AttemptView } from "../lecturer/attempt-view.js";
 import { showClass, showUndelivered } from "../lecturer/class-view.js";
 import { LinkView } from "../lecturer/link-view.js";
 import { api, startPage } from "../page.js";
@@ -52,10 +52,12 @@ async function run() {
   }
 }
 
+const attempt = new AttemptView(api, $("attempt-card"), $("attempt"));
+
 /** @param {number} id */
 async function openAttempt(id) {
   try {
-    await showAttempt(api, $("attempt-card"), $("attempt"), await api.get(`course/attempts/${id}`));
+    await attempt.open(id);
   } catch (error) {
     fill($("course-problem"), problemNotice(error));
   }
