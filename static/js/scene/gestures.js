@@ -9,6 +9,7 @@ export const ZOOM = 1.2;
 const DRAG = 0.008;
 const CLICK = 5;
 const PAN = 24;
+const SECONDARY = 2;
 
 /**
  * @param {HTMLElement} view
@@ -36,6 +37,7 @@ export function listenTo(view, { camera, change, reset, click, grab, drag, drop 
   // A finger that holds something does not scroll the page.
   view.addEventListener("touchstart", (event) => held >= 0 && event.preventDefault(), { passive: false });
   view.addEventListener("pointerdown", (event) => {
+    if (event.button === SECONDARY) return; // its menu may take the release
     fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
     if (fingers.size === 1) [moved, before] = [0, camera()];
     if (fingers.size === 1 && event.button === 0 && grab(event)) held = event.pointerId;

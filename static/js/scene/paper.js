@@ -6,9 +6,10 @@ import { SvgRenderer } from "./svg-renderer.js";
  * Has a scene printed as SVG, in the size that it has in the window, with its labels where they are.
  * @param {HTMLElement} viewport
  * @param {(renderer: SvgRenderer) => void} draw draws what is shown
+ * @param {AbortSignal} signal ends it
  */
-export function printable(viewport, draw) {
-  addEventListener("beforeprint", () => {
+export function printable(viewport, draw, signal) {
+  const before = () => {
     const { clientWidth: width, clientHeight: height } = viewport;
     if (!width || !height) return;
     const paper = new SvgRenderer();
@@ -25,5 +26,6 @@ export function printable(viewport, draw) {
       viewport.style.blockSize = "";
     };
     addEventListener("afterprint", after, { once: true });
-  });
+  };
+  addEventListener("beforeprint", before, { signal });
 }

@@ -50,6 +50,8 @@ export class RobotScene extends HTMLElement {
   #framed = false;
   #touched = false;
   #started = false;
+  /** Ends what the window and the screen tell the scene. */
+  #listening = new AbortController();
   #seen = new IntersectionObserver((entries) => {
     if (!entries.some((entry) => entry.isIntersecting)) return;
     this.#seen.unobserve(this);
@@ -59,6 +61,7 @@ export class RobotScene extends HTMLElement {
   connectedCallback() {
     if (!this.#started) this.#start();
     else this.#draw();
+    this.#listen();
     if (this.dataset.renderer !== "webgl") this.#seen.observe(this);
   }
 
@@ -72,16 +75,25 @@ export class RobotScene extends HTMLElement {
     this.#renderer = new SvgRenderer();
     this.#renderer.setModel(this.#whole);
     this.viewport.prepend(this.#renderer.element);
-    printable(this.viewport, (paper) => {
-      paper.setModel(this.#whole);
-      paper.draw(poses(this.#whole, this.#joints), this.#camera);
-    });
     new ResizeObserver(() => this.#resize()).observe(this.viewport);
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+    this.#resize();
+  }
+
+  /** Listens beyond itself while it is on the page: a scene that has left would be held, and drawn, for ever. */
+  #listen() {
+    this.#listening.abort();
+    this.#listening = new AbortController();
+    const { signal } = this.#listening;
+    const paper = (/** @type {SvgRenderer} */ renderer) => {
+      renderer.setModel(this.#whole);
+      renderer.draw(poses(this.#whole, this.#joints), this.#camera);
+    };
+    printable(this.viewport, paper, signal);
+    const recolour = () => {
       this.#renderer.takeColours?.();
       this.#draw();
-    });
-    this.#resize();
+    };
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", recolour, { signal });
   }
 
   /** What is shown. Setting it keeps the view, once someone has turned it. */
@@ -336,6 +348,7 @@ export class RobotScene extends HTMLElement {
 
   /** Gives back what WebGL holds: a browser has about sixteen of them, and takes the oldest on the page for the next. */
   #leave() {
+    this.#listening.abort();
     this.#seen.unobserve(this);
     if (this.dataset.renderer !== "webgl") return;
     const left = this.#renderer;

@@ -1,5 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { listenTo } from "../../../static/js/scene/gestures.js";
+import { printable } from "../../../static/js/scene/paper.js";
 import { fitted, orbited, project, VIEWS, zoomed } from "../../../static/js/scene/camera.js";
 import * as matrix from "../../../static/js/scene/matrix.js";
 import { drawnPoints, placed, poses, position, scaled, together } from "../../../static/js/scene/model.js";
@@ -236,4 +238,40 @@ test("a click means the nearest thing that can be picked", () => {
   assert.equal(pickAt(model, [], camera, 250, 203), "along");
   assert.equal(pickAt(model, [], camera, 201, 101), "above");
   assert.equal(pickAt(model, [], camera, 20, 20), null);
+});
+
+test("a press of the secondary button, whose menu may take its release, neither turns nor picks", () => {
+  const view = Object.assign(new EventTarget(), { setPointerCapture() {} });
+  const told = [];
+  const tell = (name) => () => told.push(name);
+  const camera = () => ({ ...VIEWS.corner, scale: 1, target: [0, 0, 0], width: 320, height: 240 });
+  listenTo(view, { camera, change: tell("change"), click: tell("click"), grab: () => false });
+  const pointer = (type, more) =>
+    view.dispatchEvent(Object.assign(new Event(type), { pointerId: 1, clientX: 9, clientY: 9, ...more }));
+  pointer("pointerdown", { button: 2, buttons: 2 });
+  pointer("pointermove", { button: -1, buttons: 0, clientX: 99 });
+  pointer("pointerup", { button: 2, buttons: 0 });
+  assert.deepEqual(told, []);
+  pointer("pointerdown", { button: 0, buttons: 1 });
+  pointer("pointerup", { button: 0, buttons: 0 });
+  assert.deepEqual(told, ["click"]);
+});
+
+test("a scene that has left the page is not drawn for paper", () => {
+  const page = new EventTarget();
+  globalThis.addEventListener = page.addEventListener.bind(page);
+  let measured = 0;
+  const viewport = {
+    get clientWidth() {
+      measured += 1;
+      return 0;
+    },
+  };
+  const listening = new AbortController();
+  printable(viewport, () => {}, listening.signal);
+  page.dispatchEvent(new Event("beforeprint"));
+  listening.abort();
+  page.dispatchEvent(new Event("beforeprint"));
+  delete globalThis.addEventListener;
+  assert.equal(measured, 1);
 });
