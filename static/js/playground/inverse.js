@@ -31,6 +31,7 @@ export function inverseTool(api, { pose, show, shade, found: tell }) {
     onchange: () => {
       edited = true;
       poses.cancel();
+      forget(answer.querySelector("[role=alert]")); // which says what is to be corrected
     },
   });
   const answer = el("div", { class: "tool-answer", role: "status" });
@@ -73,6 +74,7 @@ export function inverseTool(api, { pose, show, shade, found: tell }) {
         if (!present?.value) return;
         target.rows = poseRows(present.value);
         edited = false;
+        forget();
       },
       () => undefined,
     );
@@ -93,6 +95,13 @@ export function inverseTool(api, { pose, show, shade, found: tell }) {
     return faults.length === 0;
   };
   const latest = new Latest();
+  /** What was found, or is on its way, was for another robot, other limits or another target. @param {Element | null} [notice] that stays */
+  const forget = (notice = null) => {
+    latest.cancel();
+    solve.removeAttribute("aria-disabled");
+    fill(answer, notice);
+    know([]);
+  };
   /** Solving was asked for while the robot was being read. */
   let wanted = false;
   const run = async () => {
@@ -127,12 +136,10 @@ export function inverseTool(api, { pose, show, shade, found: tell }) {
     /** @param {import("./tool.js").Subject | null} next */
     take(next) {
       if (next && !sameRobot(next, of)) {
-        latest.cancel();
-        fill(answer);
-        know([]);
-        of = next;
+        forget();
         if (!edited) takePose();
-      }
+      } else if (next && JSON.stringify(next.limits) !== JSON.stringify(of?.limits)) forget();
+      of = next ?? of;
       subject = next;
       if (next && wanted) run();
     },

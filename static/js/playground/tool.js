@@ -30,6 +30,7 @@ export class Tool {
    */
   constructor(title, answer, { controls = [], closed = () => undefined } = {}) {
     this.answer = answer;
+    this.closed = closed;
     this.body = el("div", { class: "tool-answer", "aria-live": "off" });
     this.element = el("details", { class: "tool" }, el("summary", {}, title), ...controls, this.body);
     this.element.addEventListener("toggle", () => (this.open ? this.refresh() : closed()));
@@ -62,6 +63,7 @@ export class Tool {
     } catch (error) {
       shown = [problemNotice(error)];
     }
+    if (!this.open) this.closed(); // what it has drawn came after it was closed
     const present = [...this.body.childNodes];
     const same = present.length === shown.length && shown.every((node, i) => node === present[i]);
     if (subject === this.#subject && !same) fill(this.body, ...shown);
