@@ -264,6 +264,64 @@ def test_a_finished_step_says_why_it_is_right(open_page: OpenPage, web: str) -> 
     expect(page.locator("#why")).to_contain_text("z of frame i−1 along axis i, because row i")
 
 
+def test_a_step_that_is_ended_twice_at_once_ends_once(open_page: OpenPage, web: str) -> None:
+    """The second press comes while the next step is on its way, or is there, with nothing chosen in it yet."""
+    page = open_page("/trainer/twolink")
+    ready(page)
+    frames = assigned(page, web, exercise_of(page, web, "twolink"))
+    page.evaluate(
+        """frames => {
+          const [key] = Object.keys(localStorage).filter((name) => name.includes("trainer:2:twolink"));
+          const state = { ...JSON.parse(localStorage[key]), step: "origin", frames };
+          localStorage[key] = JSON.stringify(state);
+        }""",
+        [{"z": frame["z"], "origin": frame["origin"]} for frame in frames],
+    )
+    page.reload()
+    ready(page)
+    page.locator("#frame button.primary").dblclick()
+    expect(page.locator("#steps [aria-current]")).to_have_attribute("data-step", "x")
+    expect(page.locator("#frame .notice-problem")).to_have_count(0)
+    page.locator("#frame button.primary").press("Enter")
+    expect(page.locator("#announcer")).to_have_text("Frame 0 has no choice yet.")
+    expect(page.locator("fieldset.choices legend")).to_contain_text("frame 0")
+
+
+def test_a_step_that_is_ended_before_its_last_choice_is_judged_waits_for_that(open_page: OpenPage) -> None:
+    page = open_page("/trainer/twolink")
+    ready(page)
+    for frame in (1, 2):
+        go_to(page, frame)
+        option(page, f"along axis {frame}")
+        expect(frame_button(page, frame)).to_have_class(re.compile("step-whole"))
+    go_to(page, 0)
+    held = Held(page, "**/check-frames")
+    option(page, "along X of the figure’s coordinates")
+    held.until(1)
+    page.locator("#frame button.primary").click()
+    held.stop()
+    expect(page.get_by_role("button", name="Frame 0: breaks a rule")).to_be_visible()
+    expect(page.locator("#steps [aria-current]")).to_have_attribute("data-step", "z")
+
+
+def test_the_focus_goes_on_to_what_the_next_step_asks(open_page: OpenPage, web: str) -> None:
+    page = open_page("/trainer/twolink")
+    ready(page)
+    frames = assigned(page, web, exercise_of(page, web, "twolink"))
+    for frame in range(len(frames)):
+        go_to(page, frame)
+        chosen = page.locator("fieldset.choices input").nth(by_lecture(frames)(frame, "z", offered(page)))
+        chosen.evaluate("input => input.click()")
+        expect(frame_button(page, frame)).to_have_class(re.compile("step-whole"))
+    for step, task in (("normals", "common normal"), ("origin", "origin")):
+        page.locator("#frame button.primary").press("Enter")
+        expect(page.locator("#steps [aria-current]")).to_have_attribute("data-step", step)
+        expect(page.locator("#frame p:focus")).to_contain_text(re.compile(task, re.IGNORECASE))
+    page.locator("#steps button").first.press("Enter")
+    expect(page.locator("#steps [aria-current]")).to_have_attribute("data-step", "z")
+    expect(page.locator("#frame p:focus")).to_have_count(1)
+
+
 def test_numbers_stand_clear_of_other_joints(open_page: OpenPage, web: str) -> None:
     """In the usual view no joint's number is seen on another joint's body, for any robot."""
     page = open_page("/trainer/onelink")

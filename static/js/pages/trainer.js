@@ -27,8 +27,10 @@ const id = $("trainer").dataset.id ?? "";
 class Trainer {
   #latest = new Latest();
   #running = 0;
-  /** The frame whose list is shown: a choice is for that one. */
-  shown = -1;
+  /** What is shown: a choice and the end of a step are for that. @type {State | null} */
+  #shown = null;
+  /** When the service has answered about the present state. */
+  #answered = Promise.resolve();
   /** Why the step is not finished. */
   note = "";
   /** Why the step before is right. */
@@ -48,9 +50,9 @@ class Trainer {
       exercise.policy.tool === "axis" || exercise.policy.tool === "free" ? null : (exercise.figure.points?.[0] ?? null);
     const fresh = start(this.axes.length, exercise.conventions[0]);
     const kept = recall(draft, fresh);
+    const isOfRobot = kept.frames?.length === fresh.frames.length && kept.frame in kept.frames;
     /** @type {State} */
-    this.state =
-      kept.frames?.length === fresh.frames.length && exercise.conventions.includes(kept.convention) ? kept : fresh;
+    this.state = isOfRobot && exercise.conventions.includes(kept.convention) ? kept : fresh;
     this.scene = el("robot-scene", { label: t("trainer-scene"), grabs: true });
     fill($("scene"), this.scene, el("p", { class: "hint", text: t("trainer-click") }));
     this.scene.describe(`${this.figure.description} ${t("form-scene-keys")}`);
@@ -79,7 +81,13 @@ class Trainer {
    * Takes a new state, asks the service about it and shows both.
    * @param {State} state @param {string} [note] why the step is not finished
    */
-  async become(state, note = "") {
+  become(state, note = "") {
+    this.#answered = this.#ask(state, note);
+    return this.#answered;
+  }
+
+  /** @param {State} state @param {string} note */
+  async #ask(state, note) {
     cancelAnimationFrame(this.#running);
     this.note = note;
     if (note) announce(note);
@@ -96,7 +104,9 @@ class Trainer {
       $("frame").removeAttribute("aria-busy");
     } catch (error) {
       $("frame").removeAttribute("aria-busy");
+      const focused = this.body.contains(document.activeElement);
       fill(this.body, problemNotice(error, { retry: () => this.become(this.state) }));
+      if (focused) this.body.querySelector("button")?.focus();
     }
   }
 
@@ -104,7 +114,9 @@ class Trainer {
   #show(judged) {
     this.judged = judged;
     const { state } = this;
-    this.shown = state.frame;
+    const focused = this.body.contains(document.activeElement) || $("steps").contains(document.activeElement);
+    const isOther = this.#shown?.step !== state.step;
+    this.#shown = state;
     const part = partOf(state.step);
     this.candidates = part ? shuffled(judged.frames[state.frame].candidates[part], `${id}:${state.frame}`, part) : [];
     const normals = state.step === "normals" || state.step === "origin" ? normalsOf(judged) : [];
@@ -121,23 +133,38 @@ class Trainer {
     this.#because();
     this.#frames(part);
     if (part) this.#choices(part);
-    else if (state.step === "normals") fill(this.body, normalsList(this.axes.length, normals), this.#buttons(null));
-    else fill(this.body, this.#result(), this.#buttons(null));
+    else
+      fill(
+        this.body,
+        state.step === "normals" ? normalsList(this.axes.length, normals) : this.#result(),
+        this.#buttons(),
+      );
     const read = state.step === "read" ? this.#rows() : state.frames.slice(1).map(() => null);
     fill($("table"), tableView(read, state.convention, { play: (row) => this.#film(row) }));
+    if (focused && (isOther || !this.body.contains(document.activeElement))) this.#focusTask();
+  }
+
+  /** Whoever went on to another step goes on reading at what is to be done in it. */
+  #focusTask() {
+    const task = this.body.querySelector("p");
+    task?.setAttribute("tabindex", "-1");
+    task?.focus();
+  }
+
+  /** Whether what is shown is the state that choices would change. */
+  get #isPresent() {
+    return this.#shown?.frame === this.state.frame && this.#shown.step === this.state.step;
   }
 
   /** @param {"z" | "origin" | "x"} part */
   #choices(part) {
     const { state } = this;
     const findings = state.checked ? this.#faults(state.frame, part) : [];
-    const focused = this.body.contains(document.activeElement);
     if (!this.list?.isConnected) {
       this.list = el("div", { class: "stack" });
       this.noted = el("p", { class: "notice" });
-      this.buttons = el("div");
       const task = el("p", { class: "lead-small", text: t(`trainer-task-${part}`) });
-      fill(this.body, task, this.list, this.noted, this.buttons);
+      fill(this.body, task, this.list, this.noted, this.#buttons());
     } else if (this.body.firstElementChild) this.body.firstElementChild.textContent = t(`trainer-task-${part}`);
     if (this.noted) {
       this.noted.textContent = this.note;
@@ -151,8 +178,6 @@ class Trainer {
       choose: (vector) => this.#choose(vector),
       point: (candidate) => this.#point(candidate),
     });
-    if (this.buttons && (!this.buttons.contains(document.activeElement) || !focused))
-      fill(this.buttons, this.#buttons(part));
   }
 
   /** What is wrong with a frame's part: the rules of the convention, and where the exercise wants the last frame. @param {number} frame @param {string} part @returns {Wire.Finding[]} */
@@ -221,17 +246,12 @@ class Trainer {
     });
   }
 
-  /** @param {"z" | "origin" | "x" | null} part */
-  #buttons(part) {
+  #buttons() {
+    const label = partOf(this.state.step) ? "trainer-check" : "trainer-onward";
     const on =
       this.state.step === "read"
         ? null
-        : el("button", {
-            type: "button",
-            class: "primary",
-            onclick: () => this.#check(part),
-            text: t(part ? "trainer-check" : "trainer-onward"),
-          });
+        : el("button", { type: "button", class: "primary", onclick: () => this.#check(), text: t(label) });
     const again = el("button", {
       type: "button",
       class: "small",
@@ -241,20 +261,25 @@ class Trainer {
     return el("div", { class: "row" }, on, again);
   }
 
-  /** The end of a step: what is wrong is said now, and the next one comes when nothing is. @param {"z" | "origin" | "x" | null} part */
-  #check(part) {
-    if (!isFull(this.state)) {
-      const frame = this.state.frames.findIndex((each) => part && each[part] === undefined);
-      return this.become({ ...this.state, frame }, t("trainer-open-choice", { frame }));
+  /** The end of a step: what is wrong is said now, and the next one comes when nothing is. */
+  async #check() {
+    const { state } = this;
+    const part = partOf(state.step);
+    if (this.#shown?.step !== state.step) return undefined; // it was pressed twice
+    await this.#answered;
+    if (this.#shown !== state) return undefined;
+    if (!isFull(state)) {
+      const frame = state.frames.findIndex((each) => part && each[part] === undefined);
+      return this.become({ ...state, frame }, t("trainer-open-choice", { frame }));
     }
-    const broken = part ? this.state.frames.findIndex((_, i) => this.#faults(i, part).length > 0) : -1;
-    if (broken >= 0) {
-      const count = this.state.frames.filter((_, i) => part && this.#faults(i, part).length).length;
-      return this.become({ ...this.state, checked: true, frame: broken }, t("trainer-status", { broken: count }));
+    const broken = state.frames.flatMap((_, i) => (part && this.#faults(i, part).length ? [i] : []));
+    if (broken.length) {
+      const frame = broken[0];
+      return this.become({ ...state, checked: true, frame }, t("trainer-status", { broken: broken.length }));
     }
-    this.why = part ? t(`trainer-why-${part}`, { convention: this.state.convention }) : "";
+    this.why = part ? t(`trainer-why-${part}`, { convention: state.convention }) : "";
     announce(`${t("trainer-step-done")} ${this.why}`);
-    return this.become(onward(this.state));
+    return this.become(onward(state));
   }
 
   /** Rows in the exercise's names; in a modified table a fixed row leads to a point off the last axis. */
@@ -339,7 +364,7 @@ class Trainer {
 
   /** @param {Wire.Vector} vector */
   #choose(vector) {
-    if (this.shown !== this.state.frame) return;
+    if (!this.#isPresent) return;
     this.become({ ...choose(this.state, vector), checked: false });
   }
 
