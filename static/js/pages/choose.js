@@ -9,12 +9,21 @@ import { problemNotice } from "../problem.js";
 const place = /** @type {HTMLElement} */ (document.getElementById("choose"));
 
 async function run() {
+  try {
+    await offer();
+  } catch (error) {
+    fill(place, problemNotice(error, { retry: () => location.reload() }));
+  }
+}
+
+async function offer() {
   const asked = new URLSearchParams(location.hash.slice(1));
   const choice = asked.get("choice") ?? "";
   const { exercises } = await api.get("exercises");
   const published = asked.get("exercise");
   if (published) exercises.unshift(entryOf(await api.get(`exercises/${encodeURIComponent(published)}`)));
   const problem = el("div", {});
+  let sending = false;
   const form = settingsForm(exercises, { points: 10, exercise: published ?? "" }, send, t("lecturer-insert"));
   const own = pageAddress(`author#choice=${encodeURIComponent(choice)}`);
   fill(
@@ -27,6 +36,8 @@ async function run() {
 
   /** @param {any} settings */
   async function send(settings) {
+    if (sending) return; // a second answer would make a second link
+    sending = true;
     try {
       const { address, jwt } = await api.post("deep-links", { ...settings, choice });
       const answer = /** @type {HTMLFormElement} */ (
@@ -35,6 +46,7 @@ async function run() {
       place.append(answer);
       answer.submit();
     } catch (error) {
+      sending = false;
       fill(problem, problemNotice(error));
     }
   }
