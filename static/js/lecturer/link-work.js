@@ -16,7 +16,9 @@ import { studentName } from "./class-view.js";
  */
 export function linkWork(api, link, { mode, feedback }, { path, changed }) {
   const said = el("div", { class: "stack", role: "status" });
+  const wait = () => fill(said, el("p", { text: t("form-loading") })); // in the place of what would be pressed again
   const release = telling(said, async () => {
+    wait();
     await api.post(path("release"), {});
     link.released = true;
     releasing.remove();
@@ -40,9 +42,10 @@ export function linkWork(api, link, { mode, feedback }, { path, changed }) {
     opened.focus();
   };
   const regrade = async (/** @type {string} */ scope) => {
-    fill(said, el("p", { text: t("form-loading") }));
+    wait();
     const { run, changes, unread } = await api.post(path("regradings"), { scope });
     const apply = telling(said, async () => {
+      wait();
       await api.post(path(`regradings/${run}/apply`), {});
       await changed();
       fill(said, el("p", { text: t("lecturer-applied") }));
