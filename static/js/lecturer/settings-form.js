@@ -87,6 +87,8 @@ export function settingsForm(exercises, settings, save, action) {
   const timing = select("feedback");
   const showAfter = () => {
     after.hidden = /** @type {HTMLSelectElement} */ (timing.querySelector("select")).value !== "after_attempts";
+    // A number that is wrong and cannot be seen would keep the form from being sent.
+    after.querySelector("input")?.toggleAttribute("disabled", after.hidden);
   };
   timing.addEventListener("change", showAfter);
   showAfter();
@@ -141,7 +143,7 @@ export function settingsForm(exercises, settings, save, action) {
 function settingsOf(form, before) {
   const data = new FormData(form);
   /** @param {string} name */
-  const number = (name) => (data.get(name) === "" ? null : Number(data.get(name)));
+  const number = (name) => (data.get(name) ? Number(data.get(name)) : null);
   /** @param {string} name */
   const time = (name) => instant(String(data.get(name) ?? ""), before[name]);
   const boxes = /** @type {HTMLInputElement[]} */ ([...form.querySelectorAll("input[name=parts]")]);
@@ -157,7 +159,7 @@ function settingsOf(form, before) {
     closes: time("closes"),
     mode: data.get("mode"),
     feedback: data.get("feedback"),
-    feedback_after: number("feedback_after") ?? 1,
+    feedback_after: number("feedback_after") ?? before.feedback_after ?? 1,
     help: data.get("help") || null,
     per_student: data.get("per_student") === "on",
     variants: number("variants"),

@@ -80,10 +80,7 @@ test("a robot that is changed while it is solved has the button back, and no sol
 
 test("solutions go with the target and the limits that they are for, and not with the joints", async () => {
   const { tool, asked, told, cell, press } = opened();
-  const changes = [
-    () => cell.dispatchEvent(new Event("input")),
-    () => tool.take(subject(1, [[-90, 90]])),
-  ];
+  const changes = [() => cell.dispatchEvent(new Event("input")), () => tool.take(subject(1, [[-90, 90]]))];
   tool.take(subject(1));
   for (const change of changes) {
     await press();
