@@ -8,6 +8,8 @@ import { api, root, startPage } from "../page.js";
 import { problemNotice } from "../problem.js";
 
 const $ = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
+/** The invitations; the form beside them stays, with the address that is told only once. */
+const invited = el("div");
 const FIELDS = ["issuer", "client_id", "authorization_endpoint", "token_endpoint", "jwks_uri"];
 
 /** The code of the address that the command printed. */
@@ -28,6 +30,7 @@ async function enter() {
     api.token = (await api.post("administration/open", { code })).token;
     $("invite-card").hidden = $("add-card").hidden = false;
     fill($("add"), addForm());
+    fill($("invite"), inviteForm(), invited);
     await refresh();
   });
 }
@@ -62,7 +65,7 @@ async function refresh() {
       ? dataTable(t("platforms-list"), headings, platforms.map(platformRow))
       : el("p", { class: "hint", text: t("platforms-none") }),
   );
-  fill($("invite"), inviteForm(), invitationTable(invitations));
+  fill(invited, invitationTable(invitations));
 }
 
 /** @param {any} platform */
@@ -127,12 +130,9 @@ function inviteForm() {
     event.preventDefault();
     await attempt(async () => {
       const { address } = await api.post("administration/invitations", { note: note.value });
+      note.value = "";
+      fill(made, el("p", { text: t("platforms-invite-made") }), el("p", {}, el("code", { text: address })));
       await refresh();
-      fill(
-        /** @type {HTMLElement} */ ($("invite").querySelector("[role=status]")),
-        el("p", { text: t("platforms-invite-made") }),
-        el("p", {}, el("code", { text: address })),
-      );
     });
   };
   return el(
