@@ -47,7 +47,11 @@ globalThis.FormData = class {
   }
 };
 globalThis.location = new URL("https://example.org/lti/choose#choice=code");
-const settled = () => new Promise((done) => setTimeout(done, 20));
+/** Lets the page go on until something is there. */
+const until = async (found) => {
+  while (!found()) await new Promise((done) => setTimeout(done));
+  return found();
+};
 
 const sent = [];
 let isReached = true;
@@ -62,16 +66,14 @@ globalThis.fetch = async (address, { method } = {}) => {
 
 test("an exercise that is inserted twice at once makes one link", async () => {
   await import("../../../static/js/pages/choose.js");
-  await settled();
-  const form = place.all.find(({ tag }) => tag === "form");
+  const form = await until(() => place.all.find(({ tag }) => tag === "form"));
   for (let i = 0; i < 2; i += 1) form.dispatchEvent(new Event("submit", { cancelable: true }));
-  await settled();
+  await until(() => sent.length);
   assert.equal(sent.length, 1);
 });
 
 test("where the exercises cannot be had, the page says so and asks again", async () => {
   isReached = false;
   await import("../../../static/js/pages/choose.js?again");
-  await settled();
-  assert.ok(place.all.some(({ textContent }) => textContent === "form-retry"));
+  assert.ok(await until(() => place.all.some(({ textContent }) => textContent === "form-retry")));
 });

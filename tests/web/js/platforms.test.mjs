@@ -43,7 +43,11 @@ globalThis.window = globalThis;
 globalThis.addEventListener = () => {};
 globalThis.history = { replaceState() {} };
 globalThis.location = new URL("https://example.org/platforms#code=once");
-const settled = () => new Promise((done) => setTimeout(done, 20));
+/** Lets the page go on until something is there. */
+const until = async (found) => {
+  while (!found()) await new Promise((done) => setTimeout(done));
+  return found();
+};
 
 const PLATFORM = { id: 1, issuer: "https://lms", client_id: "c", name: "", deployments: [], not_fetched: [] };
 const ANSWERS = {
@@ -52,21 +56,27 @@ const ANSWERS = {
   "POST invitations": { address: "https://example.org/invitation" },
   "PUT 1": {},
 };
+let lists = 0;
+const isAddress = ({ textContent }) => textContent === ANSWERS["POST invitations"].address;
 globalThis.fetch = async (address, { method = "GET" } = {}) => {
   const last = String(address).split("/").at(-1);
+  if (`${method} ${last}` === "GET platforms") lists += 1;
   return last.includes(".ftl") ? new Response("") : Response.json(ANSWERS[`${method} ${last}`]);
 };
 
 test("the address of an invitation, which is told once, and a note that is typed stay when a platform is changed", async () => {
   await import("../../../static/js/pages/platforms.js");
-  await settled();
   const invite = places.get("invite");
   const find = (place, wanted) => place.all.find(wanted);
-  find(invite, ({ tag }) => tag === "form").dispatchEvent(new Event("submit", { cancelable: true }));
-  await settled();
+  const form = await until(() => find(invite, ({ tag }) => tag === "form"));
+  await until(() => find(places.get("list"), ({ textContent }) => textContent === "platforms-disable"));
+  form.dispatchEvent(new Event("submit", { cancelable: true }));
+  await until(() => find(invite, isAddress));
+  await until(() => lists === 2);
   find(invite, ({ tag }) => tag === "input").value = "for the next one";
   find(places.get("list"), ({ textContent }) => textContent === "platforms-disable").dispatchEvent(new Event("click"));
-  await settled();
-  assert.ok(find(invite, ({ textContent }) => textContent === ANSWERS["POST invitations"].address));
+  await until(() => lists === 3);
+  for (let i = 0; i < 50; i += 1) await new Promise((done) => setImmediate(done));
+  assert.ok(find(invite, isAddress));
   assert.equal(find(invite, ({ tag }) => tag === "input").value, "for the next one");
 });
