@@ -125,7 +125,9 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.add_middleware(IdempotencyMiddleware)
     if settings.api_keys or settings.cost_per_minute:
         app.add_middleware(MeteringMiddleware, settings=settings)
-    if origins := settings.calling_origins:
+    secret, library = installation_secret(settings), app.state.resources.exercises
+    app.add_middleware(LinkGuard, secret=secret, library=library)
+    if origins := settings.calling_origins:  # outside of what refuses, or a page could not read why
         app.add_middleware(
             CORSMiddleware,
             allow_origins=list(origins),
@@ -133,8 +135,6 @@ def create_app(settings: Settings | None = None) -> FastAPI:
             allow_headers=["*"],
             expose_headers=list(_EXPOSED),
         )
-    secret, library = installation_secret(settings), app.state.resources.exercises
-    app.add_middleware(LinkGuard, secret=secret, library=library)
     app.add_middleware(OuterMiddleware, settings=settings)
     if settings.traces:
         provider = exporting(settings.traces)

@@ -142,6 +142,10 @@ def test_other_origins_may_call_only_where_that_is_set(client: httpx.Client) -> 
         assert allowed.headers["access-control-allow-origin"] == "https://lms.example"
         refused = patient.post(f"{url}/api/v1/jacobian", json={}, headers={"Origin": "https://lms.example"})
         assert refused.headers["access-control-allow-origin"] == "https://lms.example"
+        ended = {"Origin": "https://lms.example", "X-Framewise-Context": "of another time"}
+        refused = patient.post(f"{url}/api/v1/jacobian", json={}, headers=ended)
+        assert refused.json()["code"] == "context_invalid"
+        assert refused.headers["access-control-allow-origin"] == "https://lms.example"
         stranger = patient.options(
             f"{url}/api/v1/jacobian", headers={**wish, "Origin": "https://evil.example"}
         )
