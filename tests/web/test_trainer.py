@@ -265,7 +265,7 @@ def test_a_finished_step_says_why_it_is_right(open_page: OpenPage, web: str) -> 
 
 
 def test_a_step_that_is_ended_twice_at_once_ends_once(open_page: OpenPage, web: str) -> None:
-    """The second press comes while the next step is on its way, or is there, with nothing chosen in it yet."""
+    """The second press comes while the next step is on its way, or is there with nothing chosen yet."""
     page = open_page("/trainer/twolink")
     ready(page)
     frames = assigned(page, web, exercise_of(page, web, "twolink"))
