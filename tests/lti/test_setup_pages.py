@@ -12,6 +12,7 @@ from courses.people.platforms import deployments_of, platforms
 from courses.storage.database import open_store
 from service.__main__ import main
 from service.settings import Settings
+from tests.courses.classroom import joined
 from tests.live_service import running
 from tests.service.adapters.test_table_files import GOOD, spreadsheet
 
@@ -83,20 +84,22 @@ def test_what_a_page_says_can_be_typed(
         typed.insert(0, _registration())
     for command in typed:
         if command.startswith("framewise restore"):
-            store = installation / "other"
             with pytest.MonkeyPatch.context() as patch:
-                patch.setenv("FRAMEWISE_DATA_FOLDER", str(store))
+                patch.setenv("FRAMEWISE_DATA_FOLDER", str(installation / "other"))
                 main(shlex.split(command)[1:])
             continue
+        if command.startswith("framewise courses erase"):
+            store = open_store("", installation / "data")
+            joined(store)
+            store.close()
         main(shlex.split(command)[1:])
     told = capsys.readouterr().out
     if any("lti invite" in command for command in typed):
         assert "https://framewise.example.edu/lti/register/" in told
     if any("lti add " in command for command in typed):
         store = open_store("", installation / "data")
-        (known,) = platforms(store)
-        assert known.client_id == "client-7"
-        assert deployments_of(store, known.id)
+        known = {each.client_id: each for each in platforms(store)}
+        assert deployments_of(store, known["client-7"].id)
         store.close()
 
 

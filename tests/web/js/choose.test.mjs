@@ -15,6 +15,7 @@ class Element extends EventTarget {
     return [this, ...this.children.flatMap((child) => child.all ?? [])];
   }
   setAttribute() {}
+  toggleAttribute() {}
   appendChild(child) {
     this.children.push(child);
   }
@@ -49,7 +50,7 @@ globalThis.FormData = class {
 globalThis.location = new URL("https://example.org/lti/choose#choice=code");
 /** Lets the page go on until something is there. */
 const until = async (found) => {
-  while (!found()) await new Promise((done) => setTimeout(done));
+  for (let turn = 0; turn < 5000 && !found(); turn += 1) await new Promise((done) => setTimeout(done));
   return found();
 };
 

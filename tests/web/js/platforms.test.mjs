@@ -45,7 +45,7 @@ globalThis.history = { replaceState() {} };
 globalThis.location = new URL("https://example.org/platforms#code=once");
 /** Lets the page go on until something is there. */
 const until = async (found) => {
-  while (!found()) await new Promise((done) => setTimeout(done));
+  for (let turn = 0; turn < 5000 && !found(); turn += 1) await new Promise((done) => setTimeout(done));
   return found();
 };
 
