@@ -22,6 +22,7 @@ class Arrival:
 
     Attributes:
         subject: None for an anonymous launch.
+        context: the platform's id of the course; empty where it names none.
         is_test_user: the platform made them up to try things out; they stand in no number of the class.
         settings: those of a deep link; None where the link brings none.
         exercise_id: the exercise of a deep link.
@@ -111,11 +112,30 @@ def _person(connection: sa.Connection, arrival: Arrival, key: str, now: datetime
 
 
 def _course(connection: sa.Connection, arrival: Arrival) -> int:
-    key = {"platform_id": arrival.platform.id, "deployment": arrival.deployment, "context": arrival.context}
+    key = {
+        "platform_id": arrival.platform.id,
+        "deployment": arrival.deployment,
+        "context": arrival.context or _own_context(connection, arrival),
+    }
     changed: dict[str, Any] = {"title": arrival.course_title[:300]}
     if arrival.memberships_url:
         changed["memberships_url"] = arrival.memberships_url
     return int(upsert(connection, records.course, key, changed).id)
+
+
+def _own_context(connection: sa.Connection, arrival: Arrival) -> str:
+    """Return what identifies the course of a link whose platform names none: staff sees this link alone.
+
+    A link that an earlier version has stored stays in the course that it shares with others.
+    """
+    link, course = records.link.c, records.course.c
+    shared = (
+        sa.select(link.id)
+        .join(records.course, course.id == link.course_id)
+        .where(course.platform_id == arrival.platform.id, course.deployment == arrival.deployment)
+        .where(course.context == "", link.resource == arrival.resource)
+    )
+    return f"resource_link:{arrival.resource}" if connection.execute(shared).first() is None else ""
 
 
 def _link(connection: sa.Connection, arrival: Arrival, course_id: int) -> int:
