@@ -16,6 +16,8 @@ from courses.storage.statements import filled, of_student
 from kinematics.errors import Fault
 
 SESSION = timedelta(hours=2)  # How long a session lives after it was last used.
+LONGEST_SESSION = timedelta(days=1)
+"""How long after their last launch somebody stays signed in: their role may have changed since."""
 RENEWED_AFTER = timedelta(minutes=5)  # A session that was used is renewed at most so often.
 
 _SESSION = (
@@ -25,6 +27,7 @@ _SESSION = (
         records.person.c.key,
         records.person.c.subject,
         records.person.c.name,
+        records.person.c.seen,
         records.link.c.course_id,
         records.link.c.resource,
         records.link.c.title.label("link_title"),
@@ -64,7 +67,8 @@ def session_of(store: Store, token: str, now: datetime) -> CourseSession:
     """Return who is signed in by a token; using a session keeps it alive.
 
     Raises:
-        SessionError: nobody is: it has expired, was never given out, or its platform was switched off.
+        SessionError: nobody is: it has expired, was never given out, its last launch is too long ago, or its
+            platform was switched off.
     """
     (found,) = sessions_of(store, [token], now)
     if isinstance(found, SessionError):
@@ -77,7 +81,9 @@ def sessions_of(store: Store, tokens: Sequence[str], now: datetime) -> list[Cour
     hashes = [hashed(token) for token in tokens]
     with store.asking() as connection:
         asked = connection.execute(_SESSION, {"hashes": hashes})
-        rows = {row.token_hash: row for row in asked if row.expires > now}
+        rows = {
+            row.token_hash: row for row in asked if row.expires > now and row.seen > now - LONGEST_SESSION
+        }
     active = {token: row for token, row in rows.items() if row.status == PlatformStatus.ACTIVE}
     old = [row.id for row in active.values() if row.expires < now + SESSION - RENEWED_AFTER]
     if old:

@@ -386,6 +386,19 @@ def test_sessions_live_while_they_are_used(store: Store) -> None:
         session_of(store, token, NOW)
 
 
+def test_sessions_end_a_day_after_the_last_launch(store: Store) -> None:
+    """Who was no longer staff in the LMS stayed so here for as long as they used their session."""
+    told = arrival(store, role=Role.STAFF)
+    token, _ = arrive(store, told, NOW)
+    for half in range(1, 24):
+        assert session_of(store, token, NOW + half * SESSION / 2).role is Role.STAFF
+    with pytest.raises(SessionError) as refused:
+        session_of(store, token, NOW + timedelta(days=1))
+    assert refused.value.faults[0].code == "session_expired"
+    again, _ = arrive(store, told, NOW + timedelta(days=1))
+    assert session_of(store, again, NOW + timedelta(days=1)).role is Role.STAFF
+
+
 @pytest.mark.parametrize("status", [PlatformStatus.DISABLED, PlatformStatus.PENDING])
 def test_sessions_end_while_their_platform_is_switched_off(store: Store, status: PlatformStatus) -> None:
     """They lived on for as long as they were used; who is signed in is still asked in one query."""
