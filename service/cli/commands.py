@@ -34,6 +34,10 @@ REFUSALS = (ExerciseError, KinematicsError, ServiceError, OSError)
 """What is told in a line, without a stack trace."""
 
 
+class SettingsError(Exception):
+    """The settings of the environment cannot be used; its text names each that is wrong."""
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a subcommand; without one, serve.
 
@@ -55,6 +59,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return FAILED
     except REFUSALS as error:
         tell(error, options.lang)
+        return UNUSABLE
+    except SettingsError as error:
+        sys.stderr.write(f"{error}\n")
         return UNUSABLE
     return status
 

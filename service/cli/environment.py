@@ -3,7 +3,6 @@
 import argparse
 import difflib
 import os
-import sys
 from collections.abc import Callable, Iterable
 from importlib.util import find_spec
 from pathlib import Path
@@ -11,6 +10,7 @@ from typing import TypeAlias
 
 from pydantic import ValidationError
 
+from service.cli.commands import SettingsError
 from service.http.api_keys import KeyFile
 from service.settings import Settings
 
@@ -36,7 +36,11 @@ _WANTED = {
 
 
 def settings_of_environment() -> Settings:
-    """Return the settings of the environment; what cannot be understood ends the program with its name."""
+    """Return the settings of the environment.
+
+    Raises:
+        SettingsError: some cannot be understood.
+    """
     known = {f"{_PREFIX}{name.upper()}" for name in Settings.model_fields}
     faults = [
         f"  {name}: there is no such setting{_nearest(name.upper(), known)}"
@@ -51,16 +55,17 @@ def settings_of_environment() -> Settings:
             wanted = _WANTED.get(fault["type"], fault["msg"]).format_map(fault.get("ctx", {}))
             faults.append("  " + ": ".join((*named, wanted)))
     if faults:
-        sys.exit("\n".join((_FAULTY, *faults)))
+        raise SettingsError("\n".join((_FAULTY, *faults)))
     return settings
 
 
 def require_what_is_named(settings: Settings) -> None:
-    """End the program if a key file, a folder or a library is not there, with the name of its setting.
+    """Refuse settings that name a key file, a folder or a library that is not there.
 
     Without a key file, all would be let in.
 
     Raises:
+        SettingsError: something is not there.
         UnavailableError: a key file cannot be understood.
     """
     made_by = {"api_keys": "framewise keys add", "receipt_keys": "framewise receipts rotate"}
@@ -77,7 +82,7 @@ def require_what_is_named(settings: Settings) -> None:
     if settings.traces and not _can_send_traces():
         missing.append(f"  {_PREFIX}TRACES: this needs the extra telemetry: pip install framewise[telemetry]")
     if missing:
-        sys.exit("\n".join((_FAULTY, *missing)))
+        raise SettingsError("\n".join((_FAULTY, *missing)))
     if settings.api_keys is not None:
         KeyFile(settings.api_keys).all()
     if settings.receipt_keys is not None:
