@@ -32,7 +32,7 @@ class ClassSettings:
     Attributes:
         exercise: the exercise; None where each file names its own.
         help_level: how much is told, never more than the exercise allows; None for all of that.
-        per_student: whether the student's name is the seed of the values.
+        per_student: whether every student has values of their own, see `_seed`.
         folders: folders with exercises of one's own.
     """
 
@@ -128,8 +128,17 @@ def _meaning(hand_in: HandIn, settings: ClassSettings) -> bytes:
     """Return all that an entry depends on: two students with the same of it get the same entry."""
     found = hand_in.found
     asked = (found.exercise, found.table) if found else hand_in.faults
-    told = repr((asked, hand_in.student if settings.per_student else None))
+    told = repr((asked, _seed(hand_in) if settings.per_student else None))
     return blake2b(told.encode("utf-8", "surrogatepass")).digest()
+
+
+def _seed(hand_in: HandIn) -> str:
+    """Return what a student's values are drawn by: the identifier in a column of theirs, or else the name.
+
+    A number that an LMS has put into a file's name is none: nobody knew it when the values were handed out.
+    """
+    own = hand_in.found.identifier if hand_in.found else None
+    return own or hand_in.student
 
 
 def _entry_of(hand_in: HandIn, chunk: _Chunk, place: int) -> GradebookEntry:
@@ -160,7 +169,7 @@ def _entry(hand_in: HandIn, settings: ClassSettings) -> GradebookEntry:
     try:
         answer["table"] = with_joint_types(exercise_id, hand_in.found.table, library)
         if settings.per_student:
-            answer["seed"] = hand_in.student
+            answer["seed"] = _seed(hand_in)
         if settings.help_level:
             answer["help"] = settings.help_level
         judged = judge(exercise_id, answer, settings.language, library)

@@ -45,7 +45,9 @@ def add(subparsers: Subparsers) -> None:
     parser.add_argument("--output", type=Path, help="file of grades; standard output, if it is not named")
     parser.add_argument("--jobs", type=count, help="processes (all cores)")
     parser.add_argument(
-        "--per-student", action="store_true", help="the student's name is the seed of the values"
+        "--per-student",
+        action="store_true",
+        help="the student's id, or name where no column holds one, is the seed of the values",
     )
     parser.add_argument(
         "--tell", choices=tuple(map(str, HelpLevel)), help="less help than the exercise allows"

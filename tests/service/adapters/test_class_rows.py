@@ -4,12 +4,14 @@ import csv
 import io
 import os
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from service.adapters.class_grading import ClassSettings, grade_class
 from service.adapters.gradebook import GradebookFormat, write_gradebook
 from service.adapters.hand_ins import hand_ins
+from service.adapters.judging import judge
 from service.adapters.table_files import FoundTable, TableSettings, read_tables
 from service.http.problems import RequestError
 from tests.service.adapters.test_grading_without_a_server import NUMBERS, RIGHT
@@ -47,6 +49,32 @@ def test_what_an_lms_calls_a_student_goes_into_its_own_column(tmp_path: Path) ->
     write_gradebook(entries, stream, GradebookFormat.CANVAS)
     rows = list(csv.reader(io.StringIO(stream.getvalue())))
     assert [row[:3] for row in rows[2:]] == [["Ann", "", "ann1"], ["Ann", "42", ""]]
+
+
+@pytest.mark.parametrize(
+    ("header", "rows", "seeds"),
+    [
+        ("name,id", ("Ann,1", "Ann,2", "Bob,"), ["1", "2", "Bob"]),
+        ("name", ("Ann", "Bob"), ["Ann", "Bob"]),
+    ],
+)
+def test_namesakes_have_values_of_their_own(
+    header: str, rows: tuple[str, ...], seeds: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Values were drawn by the name, although a column told two students of one name apart."""
+    told: list[object] = []
+
+    def noted(exercise: str, answer: dict[str, object], *more: Any) -> Any:
+        told.append(answer["seed"])
+        return judge(exercise, answer, *more)
+
+    monkeypatch.setattr("service.adapters.class_grading.judge", noted)
+    tables = "".join(f"{row},q1,0,L1,0\n{row},q2,0,L2,0\n" for row in rows)
+    (tmp_path / "class.csv").write_text(f"{header},theta,d,a,alpha\n{tables}")
+    settings = ClassSettings(exercise="twolink", per_student=True)
+    entries = list(grade_class(hand_ins(tmp_path / "class.csv", TableSettings()), settings, jobs=1))
+    assert told == seeds
+    assert [entry.student for entry in entries] == [row.partition(",")[0] for row in rows]
 
 
 def test_numbers_of_joints_are_no_types() -> None:
