@@ -33,7 +33,7 @@ from service.resources import Resources, resources_of
 from service.routes import routers
 from service.secret import installation_secret
 from service.settings import Settings
-from service.web.responses import missing_page
+from service.web.responses import missing_page, refusal_page
 from service.work.collection import LOOK_SECONDS, Collection, new_objects_alone
 from service.work.drawing_ahead import DrawingAhead, ReadingAhead
 from service.work.heaps import share_heaps, switch_threads_often
@@ -126,7 +126,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     if settings.api_keys or settings.cost_per_minute:
         app.add_middleware(MeteringMiddleware, settings=settings)
     secret, library = installation_secret(settings), app.state.resources.exercises
-    app.add_middleware(LinkGuard, secret=secret, library=library)
+    app.add_middleware(LinkGuard, secret=secret, library=library, refused=_refused_link)
     if origins := settings.calling_origins:  # outside of what refuses, or a page could not read why
         app.add_middleware(
             CORSMiddleware,
@@ -221,6 +221,10 @@ async def _collect(collection: Collection) -> None:
 async def _refuse(request: Request, error: Exception) -> Response:
     assert isinstance(error, (ServiceError, KinematicsError))
     return refusal(request, error)
+
+
+def _refused_link(request: Request, error: ServiceError) -> Response:
+    return refusal_page(request, error) if _is_for_a_reader(request) else refusal(request, error)
 
 
 async def _refuse_invalid(request: Request, error: Exception) -> Response:

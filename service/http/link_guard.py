@@ -3,16 +3,16 @@
 It lists what may be called, not what may not: an address that is added later is off until somebody decides.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from starlette.requests import Request
+from starlette.responses import Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from exercises.access import Tool
 from exercises.library import Library
 from kinematics.errors import Fault
 from service.http.link_context import COOKIE, QUERY, LinkContext, kept_token, token_of, verified
-from service.http.problem_answers import refuse
 from service.http.problems import ForbiddenError, RequestPart, ServiceError
 
 CONTEXT = "link_context"  # Key of the context in a request's scope.
@@ -66,8 +66,15 @@ _LECTURERS = (["links"], ["scorm.zip"])
 class LinkGuard:
     """Verifies the context that a request brings, and refuses what it switches off."""
 
-    def __init__(self, app: ASGIApp, *, secret: bytes, library: Library) -> None:
-        self._app, self._secret, self._library = app, secret, library
+    def __init__(
+        self,
+        app: ASGIApp,
+        *,
+        secret: bytes,
+        library: Library,
+        refused: Callable[[Request, ServiceError], Response],
+    ) -> None:
+        self._app, self._secret, self._library, self._refused = app, secret, library, refused
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve one connection."""
@@ -86,14 +93,15 @@ class LinkGuard:
             if named is None:  # a link that has ended keeps nobody from what they come by another one for
                 await self._app(scope, receive, _with_cookie(send, no_cookie(scope["scheme"])))
             else:
-                await refuse(error, scope, receive, send)
+                await self._refused(Request(scope), error)(scope, receive, send)
             return
+        scope[CONTEXT] = context
         path = scope["path"].removeprefix(scope.get("root_path", ""))
         if not may_open(path, context, self._library):
             fault = Fault.at("switched_off", path, path=path)
-            await refuse(ForbiddenError(fault, part=RequestPart.PATH), scope, receive, send)
+            refusal = ForbiddenError(fault, part=RequestPart.PATH)
+            await self._refused(Request(scope), refusal)(scope, receive, send)
             return
-        scope[CONTEXT] = context
         opens_page = QUERY.encode() in scope["query_string"] and not scope["path"].startswith("/api/")
         cookie = _cookie(token, scope["scheme"])
         await self._app(scope, receive, _with_cookie(send, cookie) if opens_page else send)

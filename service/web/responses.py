@@ -15,7 +15,8 @@ from service.http.languages import language_for
 from service.http.link_guard import context_of, may_open
 from service.http.metering import path_of
 from service.http.negotiation import weighted
-from service.messages import languages
+from service.http.problems import ServiceError, fault_sentence, status_of
+from service.messages import languages, sentence
 from service.resources import resources_of
 from service.settings import Settings
 from service.web.shell import NAVIGATION, Page, render
@@ -117,8 +118,22 @@ def missing_page(request: Request) -> Response:
     path, query = path_of(request.scope), request.url.query
     if (name := PurePosixPath(path).name) and path.endswith(f"/{name}/"):
         return RedirectResponse(f"../{quote(name)}{query and '?'}{query}", 308)
-    depth = path.count("/") - 1
-    return page_response(request, Page(name="missing", title="form-missing-title", depth=depth), status=404)
+    text = sentence(page_language(request), "form-missing-text") or ""
+    return page_response(request, _without_content(request), {"text": text}, status=404)
+
+
+def refusal_page(request: Request, error: ServiceError) -> Response:
+    """Return the page that tells a person why a page is not for them."""
+    fault, status, language = error.faults[0], status_of(error), page_language(request)
+    resources_of(request).metrics.refused(fault.code)
+    title = sentence(language, f"problem-title-{status}") or fault.code
+    values = {"title": title, "text": fault_sentence(fault, language)}
+    return page_response(request, _without_content(request), values, status=status)
+
+
+def _without_content(request: Request) -> Page:
+    depth = path_of(request.scope).count("/") - 1
+    return Page(name="missing", title="form-missing-title", depth=depth)
 
 
 def text_response(

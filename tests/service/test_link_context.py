@@ -14,6 +14,7 @@ from exercises.access import Tool
 from exercises.grading import HelpLevel
 from service.http.link_context import HEADER, LinkContext, signed, verified
 from service.http.problems import ForbiddenError
+from service.messages import sentence
 from service.settings import Settings
 from tests.examples import SCARA_BY_THE_BOOK
 from tests.exercises.folders import TWO_LINKS, folder
@@ -148,6 +149,22 @@ def test_a_link_that_has_ended_keeps_nobody_out(service: httpx.Client) -> None:
             assert page.headers["set-cookie"].startswith("framewise_context=;")
             assert page.headers["set-cookie"].endswith("Max-Age=0")
     assert service.get("/exercises/scara", params={"context": ended}).status_code == 403
+
+
+def test_a_person_reads_on_a_page_why_a_link_opens_nothing(service: httpx.Client) -> None:
+    """Their browser showed a problem document; and a page that is off led to others that are."""
+    reader = {"Accept": "text/html,application/xhtml+xml,*/*;q=0.8", "Accept-Language": "fr"}
+    ended = {"context": signed(LinkContext(exercise="scara", expires=1), SECRET)}
+    page = service.get("/exercises/scara", params=ended, headers=reader)
+    assert (page.status_code, page.headers["content-language"]) == (403, "fr")
+    assert page.headers["content-type"] == "text/html; charset=utf-8"
+    assert sentence("fr", "error-context_expired") in page.text
+    assert 'class="button primary" href="../?lang=fr"' in page.text
+    off = service.get("/playground", headers={**reader, **under(ALL_OFF)})
+    assert (off.status_code, off.headers["content-type"]) == (403, "text/html; charset=utf-8")
+    assert 'class="button primary"' not in off.text
+    called = service.get("/api/v1/exercises/scara", params=ended, headers=reader)
+    assert (called.status_code, called.json()["code"]) == (403, "context_expired")
 
 
 def test_a_forged_context_opens_nothing(service: httpx.Client) -> None:
