@@ -51,6 +51,7 @@ submissions in one body cost about as much as each by itself."""
 _SCOPES = {"grade": KeyScope.GRADE, "evaluate": KeyScope.GRADE, "receipts": KeyScope.GRADE}
 _PUBLISH = "/author/publish"
 _HANDING_IN = "/api/v1/session/attempts"
+REFUSED = (401, 403, 429)  # Statuses of the refusals here; links refuse with the second, too.
 EXCESS = "rate_exceeded"
 """Where the scope of a hand-in says that it costs too much: its refusal is the route's."""
 _SAME_ORIGIN = b"same-origin"
@@ -68,7 +69,7 @@ class MeteringMiddleware:
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve one connection."""
-        if scope["type"] != "http" or not _is_api(path_of(scope)):
+        if scope["type"] != "http" or not is_api(path_of(scope)):
             await self._app(scope, receive, send)
             return
         told: list[tuple[bytes, bytes]] = []
@@ -169,7 +170,8 @@ def path_of(scope: Scope) -> str:
     return path.removeprefix(scope.get("root_path", ""))
 
 
-def _is_api(path: str) -> bool:
+def is_api(path: str) -> bool:
+    """Return whether what is at a path may need a key, and costs something."""
     return path.startswith("/api/") or path in ("/evaluate", "/evaluate/lambda-feedback")
 
 

@@ -11,6 +11,7 @@ from fastapi.openapi.utils import get_openapi
 from pydantic import BaseModel
 from pydantic.json_schema import models_json_schema
 
+from service.http.metering import REFUSED, is_api
 from service.http.problem_documents import PROBLEM_JSON
 from service.http.routing import API_PREFIX, JSON
 from service.schemas.base import ProblemDocument
@@ -21,12 +22,15 @@ _DECLARED: dict[str, type[BaseModel]] = {}
 
 DESCRIPTIONS: dict[int, str] = {
     400: "The body cannot be read: it is missing, broken, or not what its media type says.",
+    401: "The service asks for a key, and the request brings none that is valid.",
+    403: "The key, or the link that the caller came by, does not allow this call.",
     404: "There is nothing at this address.",
     405: "This address does not support the method.",
     406: "No representation of the answer is acceptable to the caller.",
     413: "The body, or what it asks for, exceeds a limit.",
     415: "The media type of the body is not one that this call reads.",
     422: "The body is well formed, and what it says cannot be done: each fault with its place.",
+    429: "The caller has asked for more than its share; try again after the time in Retry-After.",
     503: "The service is busy; try again after the time in Retry-After.",
 }
 
@@ -108,7 +112,7 @@ def document(app: FastAPI, tags: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
                     name: {"summary": name, "value": body} for name, body in shown.items()
                 }
             operation["operationId"] = _identifier(path, method, len(operations))
-            _refuse_alike(operation)
+            _refuse_alike(operation, REFUSED if is_api(path) else ())
             _put_in_order(operation)
     _tell_defaults(schema)
     _put_d_last(components)
@@ -180,14 +184,13 @@ def _rank(path: Mapping[str, Any], order: Sequence[str]) -> int:
     return order.index(tag) if tag in order else len(order)
 
 
-def _refuse_alike(operation: dict[str, Any]) -> None:
-    """Document the refusals that every call of its kind can make."""
+def _refuse_alike(operation: dict[str, Any], statuses: tuple[int, ...]) -> None:
+    """Document the refusals that every call of its kind can make, besides some statuses."""
     responses = operation["responses"]
-    statuses: tuple[int, ...] = ()
     if "requestBody" in operation:
-        statuses = (400, 413, 415, 422)
+        statuses += (400, 413, 415, 422)
     elif operation.get("parameters"):
-        statuses = (422,)
+        statuses += (422,)
     for status, entry in problems(*statuses).items():
         if "application/json" in responses.get(str(status), {}).get("content", {"application/json": {}}):
             responses[str(status)] = entry

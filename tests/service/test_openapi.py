@@ -117,7 +117,7 @@ def test_everything_that_can_be_got_is_there(client: httpx.Client, name: str) ->
 
 @pytest.mark.parametrize("name", OPERATIONS)
 def test_every_call_is_described(name: str) -> None:
-    _, method, operation = OPERATIONS[name]
+    path, method, operation = OPERATIONS[name]
     assert operation["summary"]
     assert len(operation["description"]) > 30
     assert operation["tags"]
@@ -125,6 +125,8 @@ def test_every_call_is_described(name: str) -> None:
         assert {"400", "413", "415", "422"} <= set(operation["responses"])
         content = operation["requestBody"]["content"]["application/json"]
         assert content.get("examples"), "a call with a body shows one"
+    told = {"401", "403", "429"} & set(operation["responses"])
+    assert len(told) == (3 if path.startswith("/api/") else 0)  # keys, links and limits refuse all alike
     for status, response in operation["responses"].items():
         if not status.startswith("2") and (name, status) != ("GET /readyz", "503"):  # which is an answer
             schema = response["content"]["application/problem+json"]["schema"]
