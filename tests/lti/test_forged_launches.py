@@ -5,6 +5,7 @@ import json
 import logging
 import time
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from datetime import timedelta
 from secrets import token_hex
 from typing import Any
@@ -17,7 +18,7 @@ from cryptography.hazmat.primitives import serialization
 from cryptography.hazmat.primitives.asymmetric import rsa
 
 from courses.model import Platform, PlatformStatus
-from courses.people.platforms import add_platform, set_status
+from courses.people.platforms import add_platform, remove_platform, set_status
 from courses.storage.database import Store
 from courses.storage.records import metadata
 from service.course_resources import now
@@ -335,6 +336,22 @@ def test_a_platform_that_is_not_active_does_not_launch(
         assert (answer.status_code, answer.json()["code"]) == (400, "lti_platform_inactive")
     finally:
         set_status(store, platform.id, PlatformStatus.ACTIVE)
+
+
+def test_a_registration_that_is_not_active_makes_no_login_ambiguous(
+    forger: Forger, keys: KeyServer, store: Store, platform: Platform
+) -> None:
+    """A platform need not say which client it means where only one of an issuer's can be meant."""
+    twin = add_platform(store, replace(platform, id=0, client_id="twin"), (DEPLOYMENT,), now())
+    try:
+        assert forger.begin(keys, client_id="")["code"] == "lti_platform_ambiguous"
+        set_status(store, twin.id, PlatformStatus.DISABLED)
+        assert forger.begin(keys, client_id="")["client_id"] == CLIENT
+        set_status(store, platform.id, PlatformStatus.PENDING)
+        assert forger.begin(keys, client_id="")["code"] == "lti_platform_inactive"
+    finally:
+        set_status(store, platform.id, PlatformStatus.ACTIVE)
+        remove_platform(store, twin.id)
 
 
 def test_a_person_reads_a_page(forger: Forger, keys: KeyServer) -> None:

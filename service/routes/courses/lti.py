@@ -14,7 +14,7 @@ from urllib.parse import urlencode
 from fastapi import APIRouter, Request, Response
 from fastapi.responses import RedirectResponse
 
-from courses.model import Platform, Role
+from courses.model import Platform, PlatformStatus, Role
 from courses.people.enrolment import Arrival, arrive
 from courses.people.platforms import deployments_of, platform_by_id, platforms_of
 from courses.people.secrets import hashed, issue_code, new_token, redeem_code, remember_nonce
@@ -115,15 +115,17 @@ def _platform_for(courses: CourseResources, asked: LoginRequest) -> Platform:
         raise LoginError(Fault.at("lti_client_unknown", **params, client=asked.client_id[:200]))
     if not found:
         raise LoginError(Fault.at("lti_platform_unknown", **params))
-    if len(found) > 1:
+    active = [each for each in found if each.status is PlatformStatus.ACTIVE]
+    if len(active) > 1:
         raise LoginError(Fault.at("lti_platform_ambiguous", **params))
-    check_active(found[0])
+    platform = (active or found)[0]
+    check_active(platform)
     try:
-        http_address(found[0].authorization_endpoint)
+        http_address(platform.authorization_endpoint)
     except ValueError:  # an earlier version has stored whatever was typed
         params = {"name": "authorization_endpoint"}
         raise LoginError(Fault.at("lti_configuration_invalid", **params)) from None
-    return found[0]
+    return platform
 
 
 def _launch(request: Request, given: Mapping[str, str]) -> Response:
