@@ -220,6 +220,12 @@ CASES: dict[str, tuple[Any, int, str, str]] = {
     ),
     # results
     "overflow": ({"table": SLIDES, "joints": [1.7e308, 1.7e308]}, 422, "result_not_finite", "/joints"),
+    "tool mirrored, in a batch": (
+        {"table": PUMA_560, "joints": [Q] * 80, "tool": np.diag([1, 1, -1, 1]).tolist()},
+        422,
+        "pose_left_handed",
+        "/tool",
+    ),
     "overflow in a batch": (
         {"table": SLIDES, "joints": [[0, 0]] * 80 + [[1.7e308, 1.7e308]]},
         422,
@@ -389,6 +395,7 @@ NPY: dict[str, tuple[bytes, int, str, str]] = {
     "a single number": (saved(np.array(1.0)), 422, "joints_wrong_dimensions", "/joints"),
     "NaN": (saved(np.array([[0, 0, 0, np.nan, 0, 0]])), 422, "joint_not_finite", "/joints/0/3"),
     "infinity": (saved(np.array([Q, [0, 0, np.inf, 0, 0, 0]])), 422, "joint_not_finite", "/joints/1/2"),
+    "NaN far down": (saved(np.array([Q] * 80 + [[np.nan] * 6])), 422, "joint_not_finite", "/joints/80/0"),
     "too many": (saved(np.zeros((200_001, 6), "f2")), 413, "batch_too_large", "/joints"),
 }  # fmt: skip
 

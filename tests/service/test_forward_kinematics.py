@@ -3,6 +3,7 @@ from __future__ import annotations
 import io
 import json
 import math
+import tracemalloc
 from typing import Any
 
 import httpx
@@ -11,7 +12,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from kinematics import catalogue
 from service.settings import Settings
+from service.wire.kinematics.pose_answers import PoseQuestion, json_blocks, one_answer
+from service.wire.kinematics.prepared_robots import robot_of
 from tests.examples import PUMA_560
 from tests.live_service import running
 from tests.service import oracle
@@ -253,6 +257,29 @@ def test_points_of_links_are_mapped(client: httpx.Client) -> None:
     assert len(batch["points"][0]["previous"]) == 2
 
 
+def test_points_of_a_batch_are_mapped_block_by_block() -> None:
+    """All links and frames of a batch were made at once: gigabytes for the longest one."""
+    listed = catalogue.robot("puma560")
+    robot = robot_of(listed.table, listed.parameters)
+    joints = np.linspace(-1.0, 1.0, 6 * 20_000).reshape(-1, 6)
+    points = [(frame, [0.1, -0.2, 0.3]) for frame in (1, 2, 3, 4, 5, 6)]
+    tracemalloc.start()
+    try:
+        pieces = json_blocks(PoseQuestion(robot=robot, joints=joints, parts=(), points=points))
+        answer = b"".join(piece for piece in pieces if len(piece) < 100)
+        _, most = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert most < 12e6
+    assert answer.count(b"previous") == len(points)
+    few = PoseQuestion(robot=robot, joints=joints[:3], parts=(), points=points)
+    found = json.loads(b"".join(json_blocks(few)))["points"]
+    for k, one in enumerate(joints[:3]):
+        alone = PoseQuestion(robot=robot, joints=one.tolist(), parts=(), points=points)
+        for mapped, told in zip(found, json.loads(one_answer(alone))["points"], strict=True):
+            assert np.allclose([mapped["previous"][k], mapped["world"][k]], [told["previous"], told["world"]])
+
+
 def test_points_of_links_that_are_not_there(client: httpx.Client) -> None:
     body = {"robot": "dmra", "joints": [0] * 6, "points": [{"frame": 7, "at": [0, 0, 0]}]}
     response = client.post("/api/v1/forward-kinematics", json=body)
@@ -261,6 +288,16 @@ def test_points_of_links_that_are_not_there(client: httpx.Client) -> None:
     body["points"] = [{"frame": 1, "at": [0, 0, 0]}]
     arrays = client.post("/api/v1/forward-kinematics", json=body, headers={"Accept": "application/x-npy"})
     assert arrays.json()["code"] == "npy_one_part"
+
+
+def test_points_too_far_out_are_refused(client: httpx.Client) -> None:
+    """Their places were null."""
+    far = [{"frame": 2, "at": [0, 1.7e308, 1.7e308]}]
+    answer = client.post(
+        "/api/v1/forward-kinematics", json={"robot": "puma560", "joints": [9, 45, 9, 9, 9, 9], "points": far}
+    )
+    found = [(error["code"], error["pointer"]) for error in answer.json()["errors"]]
+    assert found == [("result_not_finite", "/points/0/at/1"), ("result_not_finite", "/points/0/at/2")]
 
 
 @pytest.mark.parametrize("place", [0, 2047, 2048, 4999])

@@ -1,5 +1,6 @@
 """POST /forward-kinematics: joint values to poses."""
 
+from functools import partial
 from typing import Annotated
 
 import numpy as np
@@ -14,19 +15,18 @@ from service.schemas.base import LONGEST_LIST, WHOLE, Matrix4, OneOf, Vector3, W
 from service.schemas.kinematics.orientations import Orientation
 from service.schemas.kinematics.robot_question import Joints, PlacedRobotQuestion
 from service.schemas.tables import Units
+from service.wire.kinematics.link_points import check_points
 from service.wire.kinematics.pose_answers import (
     ARRAY_PARTS,
     STANDARD_PARTS,
     PoseQuantity,
     PoseQuestion,
-    check_points,
+    check_batch,
     json_blocks,
-    may_overflow,
     npy_blocks,
     npy_length,
     one_answer,
     one_array,
-    refuse_overflow,
 )
 from service.wire.kinematics.pose_matrices import base_and_tool
 from service.wire.kinematics.robot_questions import QuestionReader, ReadQuestion, batch_response
@@ -130,7 +130,7 @@ async def forward_kinematics(request: ApiRequest) -> Response:
         request,
         offer,
         blocks=lambda: blocks(question),
-        check=(lambda: refuse_overflow(question)) if may_overflow(question) else None,
+        check=partial(check_batch, question),
         length=npy_length(question) if offer == NPY else None,
     )
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from kinematics.errors import Fault, JointValueError
 from kinematics.inverse.lengths import is_long, too_long
-from kinematics.joint_values import one_configuration
+from kinematics.joint_values import many_configurations, one_configuration
 from kinematics.se3 import Floats
 from service.http.problems import BodySizeError, RequestError, moved
 from service.wire.kinematics.prepared_robots import PreparedRobot
@@ -71,7 +71,7 @@ def read_array(array: Floats, robot: PreparedRobot, batch_limit: int) -> list[fl
     """Return an array of joint values in [rad] and length units; one dimension is one configuration.
 
     Raises:
-        JointValueError: configurations of the wrong length.
+        JointValueError: configurations of the wrong length, or a value that is NaN or infinite.
         RequestError: neither one nor two dimensions.
         BodySizeError: more configurations than the limit.
     """
@@ -81,6 +81,7 @@ def read_array(array: Floats, robot: PreparedRobot, batch_limit: int) -> list[fl
     if array.ndim == 1:
         return [value * unit for value, unit in zip(array.tolist(), robot.joint_units, strict=True)]
     refuse_large_batch(len(array), batch_limit)
+    many_configurations(array, len(robot.joint_units))
     return array if set(robot.joint_units) <= {1.0} else array * np.array(robot.joint_units)
 
 

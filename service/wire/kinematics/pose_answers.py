@@ -8,7 +8,8 @@ from enum import StrEnum
 import numpy as np
 import orjson
 
-from kinematics.errors import Fault, JointValueError, TableError
+from kinematics.errors import Fault, JointValueError
+from kinematics.evaluation.plan import plan_of
 from kinematics.forward import ForwardKinematics, end_poses, forward_kinematics
 from kinematics.pose_batches import (
     axis_angles_from_transforms,
@@ -20,10 +21,10 @@ from kinematics.se3 import Floats, inverse_transform
 from kinematics.table import JointType
 from service.http.npy import npy_data, npy_header
 from service.wire.json_chunks import blocks, list_chunks, written
+from service.wire.kinematics.link_points import LinkPoint, place_chunks, places_of
 from service.wire.kinematics.prepared_robots import PreparedRobot
 
 Matrix = Sequence[Sequence[float]]
-LinkPoint = tuple[int, Sequence[float]]
 
 JSON_BLOCK = 256
 NPY_BLOCK = 16384  # Poses that are computed and written at a time, as JSON and as bytes: memory stays flat.
@@ -106,35 +107,8 @@ def one_answer(question: PoseQuestion) -> bytes:
             else:
                 answer[part.value] = _ARRAYS[part](poses)
     if question.points:
-        answer["points"] = _mapped(question, poses)
+        answer["points"] = places_of(question.points, poses)
     return orjson.dumps(answer, option=orjson.OPT_SERIALIZE_NUMPY)
-
-
-def check_points(robot: PreparedRobot, points: Sequence[LinkPoint]) -> None:
-    """Make sure that every point is one of a link that there is.
-
-    Raises:
-        TableError: it is not, at ("points", i, "frame").
-    """
-    count = len(robot.table.rows)
-    faults = [
-        Fault.at("frame_unknown", "points", i, "frame", given=frame, count=count)
-        for i, (frame, _) in enumerate(points)
-        if frame > count
-    ]
-    if faults:
-        raise TableError(faults)
-
-
-def _mapped(question: PoseQuestion, poses: ForwardKinematics) -> list[dict[str, Floats]]:
-    """Places of the points of links: seed 003 eq. 1 and 8."""
-    return [
-        {
-            name: array[..., frame - 1, :3, :3] @ np.array(at) + array[..., frame - 1, :3, 3]
-            for name, array in (("previous", poses.links), ("world", poses.frames))
-        }
-        for frame, at in question.points
-    ]
 
 
 def _add_standard_parts(answer: dict[str, object], poses: ForwardKinematics, angle: float) -> None:
@@ -159,8 +133,8 @@ def json_blocks(question: PoseQuestion) -> Iterator[bytes]:
             yield (b"," if start else b"") + written(question.array(part, start, stop))[1:-1]
         yield b"]"
     if question.points:
-        mapped = _mapped(question, question.poses())
-        yield b',"points":' + orjson.dumps(mapped, option=orjson.OPT_SERIALIZE_NUMPY)
+        yield b',"points":'
+        yield from place_chunks(question.points, len(question.joints), question.poses)
     yield b"}"
 
 
@@ -195,6 +169,18 @@ def one_array(question: PoseQuestion) -> bytes:
     """Return the one array that is wanted at one configuration, as an npy file."""
     (part,) = question.parts
     return npy_header(npy_shape(question)) + npy_data(_ARRAYS[part](question.poses()))
+
+
+def check_batch(question: PoseQuestion) -> None:
+    """Make sure before anything is sent that a batch has an answer.
+
+    Raises:
+        PoseError: base or tool is not a rigid transform.
+        JointValueError: a result overflows, at the configuration where it does.
+    """
+    plan_of(question.robot.table, question.base, question.tool)
+    if may_overflow(question):
+        refuse_overflow(question)
 
 
 def may_overflow(question: PoseQuestion) -> bool:

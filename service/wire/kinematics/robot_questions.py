@@ -134,7 +134,7 @@ async def batch_response(
     media_type: str,
     *,
     blocks: Callable[[], Iterator[bytes | memoryview]],
-    check: Callable[[], None] | None = None,
+    check: Callable[[], None],
     length: int | None = None,
 ) -> Response:
     """Return the answer to a batch.
@@ -144,13 +144,11 @@ async def batch_response(
     The check, made before anything is sent, ensures that the answer exists.
     """
     if len(question.joints) <= _SMALL:
-        if check:
-            check()
+        check()
         return BytesResponse(b"".join(blocks()), media_type)
     slot = await request.resources.limiters[WorkKind.BATCH].acquire()
     try:
-        if check:
-            await slot.run(check)
+        await slot.run(check)
     except BaseException:
         slot.release()
         raise
