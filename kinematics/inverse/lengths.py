@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from kinematics.errors import Fault, TableError
+from kinematics.errors import Fault, PoseError, TableError
 from kinematics.se3 import Transform
 from kinematics.table import NumericTable
 
@@ -21,6 +21,16 @@ def check_lengths(table: NumericTable) -> None:
     faults = [too_long(("rows", i, cell)) for i, cell in cells if is_long(getattr(table.rows[i], cell))]
     if faults:
         raise TableError(faults)
+
+
+def check_near(pose: Transform, name: str) -> None:
+    """Make sure that a pose is not too far away to be computed with.
+
+    Raises:
+        PoseError: it is, at (name,).
+    """
+    if is_far(pose):
+        raise PoseError(too_long((name,)))
 
 
 def is_far(pose: Transform) -> bool:

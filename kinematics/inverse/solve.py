@@ -5,9 +5,9 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinematics.errors import Fault, PoseError, TableError
+from kinematics.errors import Fault, TableError
 from kinematics.inverse.arm import Arm, ArmReach, arm_of
-from kinematics.inverse.lengths import check_lengths, is_far, too_long
+from kinematics.inverse.lengths import check_lengths, check_near
 from kinematics.inverse.limits import JointLimits, read_limits
 from kinematics.inverse.methods.closed_form import InverseClosedForm, closed_form_of
 from kinematics.inverse.methods.locked import LockedArms, locked_arms_of
@@ -67,8 +67,8 @@ def solver_of(
     T_w_0 = None if base is None else check_transform(base, where=("base",))
     T_n_t = None if tool is None else check_transform(tool, where=("tool",))
     for pose, name in ((T_w_0, "base"), (T_n_t, "tool")):
-        if pose is not None and is_far(pose):
-            raise PoseError(too_long((name,)))
+        if pose is not None:
+            check_near(pose, name)
     arm, closed_form, clear, locked = _prepared(
         table, None if T_w_0 is None else T_w_0.tobytes(), None if T_n_t is None else T_n_t.tobytes(), reach
     )

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from kinematics.errors import Fault, PoseError, TableError
 from kinematics.forward import end_poses
 from kinematics.inverse.arm import ArmReach
-from kinematics.inverse.lengths import check_lengths, is_far, is_long, too_long
+from kinematics.inverse.lengths import check_lengths, check_near, is_long, too_long
 from kinematics.inverse.limits import JointLimits
 from kinematics.se3 import Floats, Transform, check_transform, inverse_transform, triple
 from kinematics.table import NumericTable
@@ -197,8 +197,8 @@ def check_reach(table: NumericTable, base: ArrayLike | None, tool: ArrayLike | N
         raise TableError(Fault.at("workspace_without_joints", "rows"))
     check_lengths(table)
     for pose, name in ((base, "base"), (tool, "tool")):
-        if pose is not None and is_far(check_transform(pose, where=(name,))):
-            raise PoseError(too_long((name,)))
+        if pose is not None:
+            check_near(check_transform(pose, where=(name,)), name)
 
 
 def _radius(maximum: Maximum, away: Floats, reach: float) -> Radius:

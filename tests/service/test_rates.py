@@ -113,6 +113,8 @@ def test_at_gimbal_lock_there_is_no_analytic_jacobian(client: httpx.Client) -> N
         ({"accelerations": [0, 0, 0]}, "joints_wrong_length", "/accelerations"),
         ({"angles": {"axes": "ZZX"}}, "euler_axes_unknown", "/angles/axes"),
         ({"tool": [[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}, "pose_not_orthonormal", "/tool"),
+        ({"tool": [1.5e308, 1.5e308, 0, 0, 0, 0]}, "result_not_finite", "/tool"),
+        ({"wrench": [1.7e308] * 6}, "result_not_finite", "/wrench/0"),
     ],
 )
 def test_what_is_refused(client: httpx.Client, more: dict[str, Any], code: str, pointer: str) -> None:

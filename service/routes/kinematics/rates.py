@@ -6,7 +6,7 @@ from pydantic import Field
 
 from kinematics.chain import chain_of_table
 from kinematics.ellipsoids import Ellipsoid, VelocityEllipsoids, velocity_ellipsoids
-from kinematics.inverse.lengths import check_lengths
+from kinematics.inverse.lengths import check_lengths, check_near
 from kinematics.rates import ROLL_PITCH_YAW, analytic_jacobian, jacobian_rate, joint_forces
 from kinematics.se3 import check_transform
 from service.http.calls import CallRouter
@@ -96,6 +96,9 @@ def rates(body: RatesRequest, robot: PreparedRobot) -> RatesAnswer:
         None if pose is None else check_transform(pose, where=(name,))
         for pose, name in zip(base_and_tool(body, robot.angle), ("base", "tool"), strict=True)
     )
+    for pose, name in ((base, "base"), (tool, "tool")):
+        if pose is not None:
+            check_near(pose, name)
     chain = chain_of_table(robot.table, base, tool)
     q = values_in_radians(body.joints, robot.joint_units, "joints")
     J = chain.jacobian(q)
@@ -114,7 +117,8 @@ def rates(body: RatesRequest, robot: PreparedRobot) -> RatesAnswer:
         at_speed = 0.0 if body.rates is None else rate @ speeds
         found["acceleration"] = _plain(J @ second + at_speed)
     if body.wrench is not None:
-        found["joint_forces"] = _plain(joint_forces(chain, q, body.wrench))
+        wrench = values_in_radians(body.wrench, [1.0] * len(body.wrench), "wrench")
+        found["joint_forces"] = _plain(joint_forces(chain, q, wrench))
     return RatesAnswer(**robot.units, **found)
 
 
