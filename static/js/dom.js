@@ -62,6 +62,17 @@ export function append(parent, children) {
   }
 }
 
+/** Has an element hold these children, in this order, without moving the one that has the focus. @param {Element} parent @param {Element[]} children */
+export function arrange(parent, children) {
+  for (const child of [...parent.children]) if (!children.includes(child)) child.remove();
+  children.forEach((child, i) => {
+    while (parent.children[i] !== child) {
+      if (child.isConnected && child.contains(document.activeElement)) parent.append(parent.children[i]);
+      else parent.insertBefore(child, parent.children[i] ?? null);
+    }
+  });
+}
+
 /** Replaces what an element holds. @param {Element} parent @param {...Child} children */
 export function fill(parent, ...children) {
   parent.replaceChildren();
@@ -123,6 +134,24 @@ export function iconButton(name, label, onclick, properties = {}) {
 export function setAble(button, able) {
   if (able) button.removeAttribute("aria-disabled");
   else button.setAttribute("aria-disabled", "true");
+}
+
+/** Whether what stands in a field can be taken. @param {Element} field @param {boolean} valid */
+export function setValid(field, valid) {
+  if (valid) field.removeAttribute("aria-invalid");
+  else field.setAttribute("aria-invalid", "true");
+}
+
+/** A fault's message below a field. @param {string} [id] */
+export function faultLine(id) {
+  return el("div", { class: "fault", id, hidden: true });
+}
+
+/** Says what is wrong with a field in the line below it; an empty text: nothing. @param {Element} field @param {HTMLElement} line @param {string} text */
+export function setFault(field, line, text) {
+  line.textContent = text;
+  line.hidden = !text;
+  setValid(field, !text);
 }
 
 /**

@@ -78,6 +78,9 @@ export const degrees = (rad) => (rad * 180) / Math.PI;
 /** What a copied text has around its digits, unseen: soft hyphens, joiners, marks of direction, of words, of bytes. */
 const UNSEEN = /[\u00ad\u200b-\u200f\u2060\ufeff]/g;
 
+/** Decimal digits: JavaScript also reads 0x10, 0b11 and 0o7, which the service refuses. */
+const DECIMAL = /^[+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?$/i;
+
 /** A number as people write it, with a decimal point or comma; null if it is none. @param {string} text */
 export function numberIn(text) {
   const plainText = text
@@ -85,8 +88,9 @@ export function numberIn(text) {
     .trim()
     .replace(/^[−–‐‑﹣－]/, "-")
     .replace(/e−/i, "e-");
-  const value = Number(plainText.replace(/^([+-]?\d*),(\d+)$/, "$1.$2"));
-  return plainText !== "" && Number.isFinite(value) ? value : null;
+  const withPoint = plainText.replace(/^([+-]?\d*),(\d+)(?=e|$)/i, "$1.$2");
+  const value = DECIMAL.test(withPoint) ? Number(withPoint) : NaN;
+  return Number.isFinite(value) ? value : null;
 }
 
 /** A number, a root, or a fraction of either: 1/2, √2/2, -sqrt(3)/2, 1/√2. @param {string} text @returns {number | null} */

@@ -2,6 +2,7 @@
 
 import { el, fill, uniqueId, VERBATIM } from "../dom.js";
 import { t } from "../i18n.js";
+import { numberIn } from "../numbers.js";
 
 /**
  * @typedef {import("./draft-store.js").DraftStore} DraftStore
@@ -49,10 +50,7 @@ export function numberInput(store, path, more = {}) {
 
 /** A number as it is typed anywhere; what is none stays as it stands, for the service to refuse. @param {string} text @returns {number | string | undefined} */
 export function numberOf(text) {
-  const trimmed = text.trim().replace("−", "-").replace(",", ".");
-  if (trimmed === "") return undefined;
-  const value = Number(trimmed);
-  return Number.isFinite(value) ? value : text.trim();
+  return numberIn(text) ?? (text.trim() || undefined);
 }
 
 /**

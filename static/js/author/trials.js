@@ -1,7 +1,7 @@
 /** The exercise tried while it is written: its own tests, right answers, wrong ones, and as a student. */
 
 import { Latest, Problem } from "../api.js";
-import { announce, el, fill } from "../dom.js";
+import { announce, el, fill, setAble } from "../dom.js";
 import { rowsTable } from "../editor/rows-table.js";
 import { language, t } from "../i18n.js";
 import { pointsTold } from "../numbers.js";
@@ -250,14 +250,14 @@ export function asStudent(api, store, view) {
 function shownOnDemand(label, bring) {
   const place = el("div", { class: "stack" });
   const press = async () => {
-    button.setAttribute("aria-disabled", "true");
+    setAble(button, false);
     try {
       await bring(place);
       announce(label);
     } catch (error) {
       fill(place, problemNotice(error));
     } finally {
-      button.removeAttribute("aria-disabled");
+      setAble(button, true);
     }
   };
   const button = el("button", { type: "button", onclick: press, text: label });

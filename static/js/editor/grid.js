@@ -1,6 +1,6 @@
 /** The table's DOM: a real table with a field in each cell, its meaning and its fault beneath it. */
 
-import { el, fill, iconButton, VERBATIM } from "../dom.js";
+import { arrange, el, faultLine, fill, iconButton, setAble, setFault, VERBATIM } from "../dom.js";
 import { t } from "../i18n.js";
 import { pageAddress } from "../page.js";
 import { showMathml } from "../typeset.js";
@@ -80,18 +80,10 @@ export class Grid {
       return line;
     });
     this.#lines = new Map(lines.map((line) => [line.row.key, line]));
-    this.#arrange(lines.map(({ element }) => element));
-  }
-
-  /** Puts rows in order without moving the one that has the focus. @param {HTMLElement[]} rows */
-  #arrange(rows) {
-    for (const row of [...this.body.children]) if (!rows.includes(/** @type {HTMLElement} */ (row))) row.remove();
-    rows.forEach((row, i) => {
-      while (this.body.children[i] !== row) {
-        if (row.isConnected && row.contains(document.activeElement)) this.body.append(this.body.children[i]);
-        else this.body.insertBefore(row, this.body.children[i] ?? null);
-      }
-    });
+    arrange(
+      this.body,
+      lines.map(({ element }) => element),
+    );
   }
 
   /** @param {number} row @param {CellName} cell */
@@ -113,11 +105,7 @@ export class Grid {
   /** Shows a cell's fault, or none. @param {number} row @param {CellName | "joint"} cell @param {string} text */
   showFault(row, cell, text) {
     const found = this.at(row, /** @type {CellName} */ (cell));
-    if (!found || found.fault.textContent === text) return;
-    found.fault.textContent = text;
-    found.fault.hidden = !text;
-    if (text) found.input.setAttribute("aria-invalid", "true");
-    else found.input.removeAttribute("aria-invalid");
+    if (found && found.fault.textContent !== text) setFault(found.input, found.fault, text);
   }
 
   /** @param {Table} table @param {CellName[]} columns */
@@ -153,7 +141,7 @@ export class Grid {
       { onchange: (event) => handlers.joint(line.index, event.target.value) },
       JOINTS.map((value) => el("option", { value, text: t(`form-joint-${value}`) })),
     );
-    const jointFault = el("div", { class: "fault", hidden: true });
+    const jointFault = faultLine();
     /** @type {Map<string, Cell>} */
     const cells = new Map(columns.map((cell) => [cell, this.#cell(cell, () => line.index)]));
     cells.set("joint", { input: /** @type {any} */ (joint), fault: jointFault, meaning: el("span") });
@@ -188,7 +176,7 @@ export class Grid {
       onpaste: (event) => handlers.paste(event, row(), cell),
       onkeydown: (event) => handlers.key(event, row(), cell),
     });
-    return { input, meaning: el("div", { class: "meaning" }), fault: el("div", { class: "fault", hidden: true }) };
+    return { input, meaning: el("div", { class: "meaning" }), fault: faultLine() };
   }
 
   /** Brings a row of elements up to date. @param {Line} line @param {Table} table @param {import("./model.js").Row} row @param {number} i @param {number} number */
@@ -213,8 +201,7 @@ export class Grid {
       const label = t(names[k], { row: String(i + 1) });
       button.setAttribute("aria-label", label);
       button.title = label;
-      if (useless[k]) button.setAttribute("aria-disabled", "true");
-      else button.removeAttribute("aria-disabled");
+      setAble(button, !useless[k]);
     });
   }
 

@@ -1,6 +1,6 @@
 /** Everything that is handed in: the table, and what else the exercise asks. */
 
-import { announce, el, fill } from "../dom.js";
+import { announce, el, fill, setAble } from "../dom.js";
 import { newTable } from "../editor/model.js";
 import { named, t } from "../i18n.js";
 import { subscript, superscript } from "../numbers.js";
@@ -163,8 +163,7 @@ export class AnswerCard {
   /** @param {boolean} busy */
   set busy(busy) {
     if (busy) fill(this.problem);
-    if (busy) this.button.setAttribute("aria-disabled", "true");
-    else this.button.removeAttribute("aria-disabled");
+    setAble(this.button, !busy);
     this.button.textContent = t(busy ? "form-submitting" : this.labels.all);
   }
 

@@ -4,11 +4,10 @@
  */
 
 import { columnHeads } from "../data-table.js";
-import { el, fill, uniqueId, VERBATIM } from "../dom.js";
+import { el, faultLine, fill, setFault, uniqueId, VERBATIM } from "../dom.js";
 import { named, t } from "../i18n.js";
 import { typed as read } from "./typed.js";
 import { plain } from "../numbers.js";
-import { faultLine, setFault } from "./part-fields.js";
 
 /** @typedef {{input: HTMLInputElement | HTMLSelectElement, line: HTMLElement}} Slot */
 /** @typedef {{name: string, label: string, shape: string, labels: string[], rows: number, options: {value: string, label: string}[]}} Field */

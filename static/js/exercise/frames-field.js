@@ -3,14 +3,13 @@
  * shows or typed, and drawn on the robot at once. The same interface as the fields of `part-fields.js`.
  */
 
-import { el, uniqueId, VERBATIM } from "../dom.js";
+import { el, faultLine, setFault, uniqueId, VERBATIM } from "../dom.js";
 import { t } from "../i18n.js";
-import { plain } from "../numbers.js";
+import { numberIn, plain } from "../numbers.js";
 import { cross, dot, norm, unit } from "../scene/matrix.js";
 import { together, triad } from "../scene/model.js";
 import { figureRobot } from "../scene/robots.js";
 import { METRES } from "../units.js";
-import { faultLine, setFault } from "./part-fields.js";
 import { typed } from "./typed.js";
 
 /** @typedef {import("../scene/matrix.js").Vector} Vector */
@@ -242,8 +241,8 @@ function poseOf(frame, metres) {
 
 /** @param {string[]} cells @returns {Vector | null} */
 function numbersOf(cells) {
-  const numbers = cells.map((cell) => (cell.trim() === "" ? NaN : Number(cell.replace("−", "-"))));
-  return numbers.every(Number.isFinite) ? /** @type {Vector} */ (numbers) : null;
+  const numbers = cells.map(numberIn);
+  return numbers.includes(null) ? null : /** @type {Vector} */ (numbers);
 }
 
 /** Points that the figure shows, in the exercise's unit of length. @param {Wire.Figure} figure @param {number} metres */

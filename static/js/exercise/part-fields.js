@@ -4,7 +4,7 @@
  * typed), `showFaults(faults)`, `focus(where?)`, `onchange`.
  */
 
-import { el, fill, uniqueId, VERBATIM } from "../dom.js";
+import { el, faultLine, fill, setFault, uniqueId, VERBATIM } from "../dom.js";
 import { t } from "../i18n.js";
 import { typed } from "./typed.js";
 import { showMathml, transformName } from "../typeset.js";
@@ -18,19 +18,6 @@ const RELATIONS = [
   "skew_perpendicular",
   "skew_oblique",
 ];
-
-/** A fault's message below a field. @param {string} id */
-export function faultLine(id) {
-  return el("div", { class: "fault", id, hidden: true });
-}
-
-/** @param {HTMLElement} input @param {HTMLElement} line @param {string} text */
-export function setFault(input, line, text) {
-  line.textContent = text;
-  line.hidden = !text;
-  if (text) input.setAttribute("aria-invalid", "true");
-  else input.removeAttribute("aria-invalid");
-}
 
 /** A 4×4 of cells. */
 export class MatrixField {
@@ -111,6 +98,8 @@ export class MatrixField {
 
   set state(values) {
     values.forEach((row, i) => row.forEach((text, k) => (this.cells[i][k].input.value = text)));
+    this.#undo = null;
+    this.undo.hidden = true;
   }
 
   /** @param {{where: number[], text: string}[]} faults */
@@ -167,8 +156,6 @@ export class MatrixField {
 
   #takeBack() {
     if (this.#undo) this.state = this.#undo;
-    this.#undo = null;
-    this.undo.hidden = true;
     this.cells[0][0].input.focus();
     this.onchange();
   }
@@ -401,8 +388,8 @@ export class SchematicField {
   }
 
   set state({ joints, relations }) {
-    joints.forEach((value, i) => this.joints[i] && (this.joints[i].input.value = value));
-    relations.forEach((value, i) => this.relations[i] && (this.relations[i].input.value = value));
+    this.joints.forEach(({ input }, i) => (input.value = joints[i] ?? ""));
+    this.relations.forEach(({ input }, i) => (input.value = relations[i] ?? ""));
   }
 
   /** @param {any} faults */

@@ -10,7 +10,7 @@ import { Start } from "../author/start.js";
 import { folderField, takeAlong } from "../author/take-along.js";
 import { textsSection } from "../author/texts.js";
 import { asStudent, rightAnswers, SelfTest, wrongAnswers } from "../author/trials.js";
-import { announce, debounced, el, fill, iconButton, setAble, variable } from "../dom.js";
+import { announce, debounced, el, fill, iconButton, setAble, setValid, variable } from "../dom.js";
 import { named, t } from "../i18n.js";
 import { inSentence } from "../numbers.js";
 import { api, forgetFragment, startPage, watchOtherTabs } from "../page.js";
@@ -130,8 +130,7 @@ class AuthorPage {
   #markFaults(faults) {
     const wrong = new Set(faults.flatMap(fieldsOf));
     for (const input of document.querySelectorAll("[data-path]")) {
-      if (wrong.has(/** @type {HTMLElement} */ (input))) input.setAttribute("aria-invalid", "true");
-      else input.removeAttribute("aria-invalid");
+      setValid(input, !wrong.has(/** @type {HTMLElement} */ (input)));
     }
   }
 

@@ -2,7 +2,7 @@
 
 import { Latest, Problem } from "../api.js";
 import { dataTable } from "../data-table.js";
-import { el, fill } from "../dom.js";
+import { el, fill, setAble } from "../dom.js";
 import { named, t } from "../i18n.js";
 import { fractionIn, plain, shown } from "../numbers.js";
 import { problemNotice } from "../problem.js";
@@ -98,7 +98,7 @@ export function inverseTool(api, { pose, show, shade, found: tell }) {
   /** What was found, or is on its way, was for another robot, other limits or another target. @param {Element | null} [notice] that stays */
   const forget = (notice = null) => {
     latest.cancel();
-    solve.removeAttribute("aria-disabled");
+    setAble(solve, true);
     fill(answer, notice);
     know([]);
   };
@@ -110,7 +110,7 @@ export function inverseTool(api, { pose, show, shade, found: tell }) {
     if (!subject || !isNumeric()) return;
     const limits = subject.limits ? { limits: subject.limits } : {};
     const request = { ...asked(subject), ...limits, target: matrixOf(target.rows) };
-    solve.setAttribute("aria-disabled", "true");
+    setAble(solve, false);
     try {
       const found = await latest.run((signal) => api.post("inverse-kinematics", request, { signal }));
       if (!found) return;
@@ -125,7 +125,7 @@ export function inverseTool(api, { pose, show, shade, found: tell }) {
       );
       know([]);
     }
-    solve.removeAttribute("aria-disabled");
+    setAble(solve, true);
   };
   element.addEventListener("toggle", () => {
     draw();

@@ -1,6 +1,6 @@
 /** How far each joint may go: shown, changed, and used by the sliders and by every answer. */
 
-import { el, fill, uniqueId, VERBATIM } from "../dom.js";
+import { el, fill, setValid, uniqueId, VERBATIM } from "../dom.js";
 import { named, t } from "../i18n.js";
 import { numberIn, plain } from "../numbers.js";
 
@@ -108,17 +108,15 @@ export class JointLimits {
   #typed(i, end, input) {
     const value = input.value.trim() === "" ? null : numberIn(input.value);
     const wrong = value === null && input.value.trim() !== "";
-    input.toggleAttribute("aria-invalid", false);
+    setValid(input, !wrong);
     this.#say(wrong ? t("playground-number-needed") : "", input);
-    if (wrong) return input.setAttribute("aria-invalid", "true");
+    if (wrong) return;
     const count = this.body.querySelectorAll("input").length / 2;
     const limits = Array.from({ length: count }, (_, k) => this.#limits?.[k] ?? null);
     const pair = /** @type {[number | null, number | null]} */ ([...(limits[i] ?? [null, null])]);
     pair[end] = value;
     const reversed = pair[0] !== null && pair[1] !== null && pair[0] > pair[1];
-    for (const each of input.closest("tr")?.querySelectorAll("input") ?? [])
-      if (reversed) each.setAttribute("aria-invalid", "true");
-      else each.removeAttribute("aria-invalid");
+    for (const each of input.closest("tr")?.querySelectorAll("input") ?? []) setValid(each, !reversed);
     if (reversed) return this.#say(t("playground-limits-reversed"), input);
     limits[i] = pair[0] === null && pair[1] === null ? null : pair;
     this.#limits = limits.every((each) => each === null) ? null : limits;

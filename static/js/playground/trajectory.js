@@ -1,6 +1,6 @@
 /** From one posture to another: a plot of the joints over time, the path of the tip, and the motion itself. */
 
-import { el, fill, segmented, uniqueId } from "../dom.js";
+import { el, fill, segmented, setValid, uniqueId } from "../dom.js";
 import { t } from "../i18n.js";
 import { numberIn, plain, shown } from "../numbers.js";
 import { CURVES, DASHES, figure } from "../plots.js";
@@ -93,8 +93,7 @@ class Plan {
       oninput: (event) => {
         const value = numberIn(event.target.value);
         this.duration = value !== null && value >= 0.001 && value <= 1e6 ? value : null;
-        event.target.toggleAttribute("aria-invalid", false);
-        if (this.duration === null) event.target.setAttribute("aria-invalid", "true");
+        setValid(event.target, this.duration !== null);
         fill(
           fault,
           this.duration === null

@@ -64,3 +64,11 @@ test("a number from a PDF or a text program may have another minus and what nobo
   assert.equal(numberIn("1.5e\u22123"), 0.0015);
   for (const text of ["2\u20133", "\u2013", "\u200b"]) assert.equal(numberIn(text), null, JSON.stringify(text));
 });
+
+test("a number has decimal digits", () => {
+  for (const text of ["0x10", "0b11", "0o7", "-0x1", "Infinity", "1e999", ".", "e5"])
+    assert.equal(numberIn(text), null, text);
+  for (const text of ["10", "+10.", "1e1", "010"]) assert.equal(numberIn(text), 10, text);
+  assert.equal(numberIn(",5"), 0.5);
+  assert.equal(fractionIn("0x10/2"), null);
+});
