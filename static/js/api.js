@@ -102,9 +102,9 @@ export class Api {
     return this.#send("POST", path, body, options);
   }
 
-  /** A file that is made of a body. @param {string} path @param {unknown} body @returns {Promise<Blob>} */
+  /** A file that stands at a path, or is made of a body. @param {string} path @param {unknown} [body] @returns {Promise<Blob>} */
   file(path, body) {
-    return this.#send("POST", path, body, { file: true });
+    return this.#send(body === undefined ? "GET" : "POST", path, body, { file: true });
   }
 
   /** @param {string} path @param {unknown} body */

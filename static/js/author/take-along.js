@@ -6,6 +6,7 @@ import { announce, el, fill, VERBATIM } from "../dom.js";
 import { language, t } from "../i18n.js";
 import { pageAddress, root } from "../page.js";
 import { problemNotice } from "../problem.js";
+import { saveFile } from "../save-file.js";
 import { linkTo } from "./draft-store.js";
 import { field, refill, textField } from "./fields.js";
 
@@ -28,11 +29,7 @@ export function takeAlong(api, store) {
   };
 
   const download = attempt(async () => {
-    const archive = await sent(api, "author/folder.zip", JSON.stringify({ draft: store.draft }), "application/json");
-    const link = el("a", { download: `${store.draft?.id}.zip` });
-    link.href = URL.createObjectURL(await archive.blob());
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+    saveFile(await api.file("author/folder.zip", { draft: store.draft }), `${store.draft?.id}.zip`);
     return el("p", { text: t("author-downloaded") });
   });
 
@@ -86,8 +83,7 @@ export function folderField(api, store, opened) {
       const [archive] = event.target.files;
       if (!archive) return;
       try {
-        const answer = await sent(api, "author/import", archive, "application/zip");
-        store.load((await answer.json()).draft, null);
+        store.load((await imported(api, archive)).draft, null);
         opened();
         fill(told, el("p", { text: t("author-imported") }));
       } catch (error) {
@@ -134,10 +130,11 @@ function publishedView(id, choice) {
   );
 }
 
-/** A call whose body or answer is no JSON. @param {import("../api.js").Api} api @param {string} path @param {BodyInit} body @param {string} type */
-async function sent(api, path, body, type) {
-  const headers = { "Content-Type": type, "Accept-Language": language };
-  const answer = await fetch(api.address(path), { method: "POST", headers, body, credentials: "omit" });
+/** What a folder holds. @param {import("../api.js").Api} api @param {File} archive */
+async function imported(api, archive) {
+  const headers = { "Content-Type": "application/zip", "Accept-Language": language };
+  const address = api.address("author/import");
+  const answer = await fetch(address, { method: "POST", headers, body: archive, credentials: "omit" });
   if (!answer.ok) throw new Problem(answer.status, await answer.json().catch(() => ({})));
-  return answer;
+  return answer.json();
 }

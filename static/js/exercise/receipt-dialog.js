@@ -4,6 +4,7 @@ import { copyText } from "../clipboard.js";
 import { announce, el, showDialog, uniqueId } from "../dom.js";
 import { t } from "../i18n.js";
 import { problemNotice } from "../problem.js";
+import { saveFile } from "../save-file.js";
 import { keep, recall } from "../storage.js";
 import { pointsText } from "./progress.js";
 
@@ -36,7 +37,7 @@ export function openReceipt(api, exercise, { request }) {
       announce(
         t((await copyText(receipt)) ? "form-copied" : "form-copy-failed", { format: t("form-receipt-as-text") }),
       );
-    const print = async () => save(await api.file(`${address}.pdf`, body()), `${exercise.id}.pdf`);
+    const print = async () => saveFile(await api.file(`${address}.pdf`, body()), `${exercise.id}.pdf`);
     const picture = el("img", {
       class: "receipt-qr",
       alt: t("form-receipt-qr"),
@@ -77,11 +78,4 @@ export function openReceipt(api, exercise, { request }) {
     el("p", {}, el("button", { type: "button", onclick: () => dialog.close(), text: t("form-close") })),
   );
   showDialog(dialog);
-}
-
-/** @param {Blob} file @param {string} name */
-export function save(file, name) {
-  const href = URL.createObjectURL(file);
-  el("a", { href, download: name }).click();
-  setTimeout(() => URL.revokeObjectURL(href), 10_000);
 }

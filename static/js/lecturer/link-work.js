@@ -1,12 +1,12 @@
 /** What a lecturer does with one link: look at it as a student, release grades, grade again, export. */
 
-import { Problem } from "../api.js";
 import { dataTable } from "../data-table.js";
 import { el, fill } from "../dom.js";
 import { t } from "../i18n.js";
 import { percentOf } from "../numbers.js";
 import { pageAddress } from "../page.js";
 import { telling } from "../problem.js";
+import { saveFile } from "../save-file.js";
 import { studentName } from "./class-view.js";
 
 /**
@@ -63,6 +63,8 @@ export function linkWork(api, link, { mode, feedback }, { path, changed }) {
       unread.length ? dataTable(t("lecturer-unread"), kept, unread.map(row)) : null,
     );
   };
+  /** A file with every attempt; the token goes in a header, so that no address holds it. @param {string} ending */
+  const exported = async (ending) => saveFile(await api.file(path(`export.${ending}`)), `attempts.${ending}`);
   /** @param {string} text @param {() => Promise<void>} work */
   const button = (text, work) => el("button", { type: "button", onclick: telling(said, work), text });
   const releasing = button(t("lecturer-release"), askFirst);
@@ -78,22 +80,9 @@ export function linkWork(api, link, { mode, feedback }, { path, changed }) {
       isWithheld ? releasing : null,
       button(t("lecturer-regrade-counted"), () => regrade("counted")),
       button(t("lecturer-regrade-all"), () => regrade("all")),
-      button("CSV", () => download(api, path("export.csv"), "attempts.csv")),
-      button("JSON", () => download(api, path("export.json"), "attempts.json")),
+      button("CSV", () => exported("csv")),
+      button("JSON", () => exported("json")),
     ),
     said,
   );
-}
-
-/** A file with every attempt; the token goes in a header, so that no address holds it. @param {import("../api.js").Api} api @param {string} path @param {string} name of the file */
-async function download(api, path, name) {
-  const answer = await fetch(api.address(path), {
-    headers: { Authorization: `Bearer ${api.token}` },
-    credentials: "omit",
-  });
-  if (!answer.ok) throw new Problem(answer.status, await answer.json());
-  const address = URL.createObjectURL(await answer.blob());
-  const anchor = /** @type {HTMLAnchorElement} */ (el("a", { href: address, download: name }));
-  anchor.click();
-  setTimeout(() => URL.revokeObjectURL(address), 10_000);
 }

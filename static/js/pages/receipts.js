@@ -3,10 +3,10 @@
 import { dataTable } from "../data-table.js";
 import { el, fill } from "../dom.js";
 import { pointsText } from "../exercise/progress.js";
-import { save } from "../exercise/receipt-dialog.js";
 import { dates, t } from "../i18n.js";
 import { api, startPage } from "../page.js";
 import { problemNotice } from "../problem.js";
+import { saveFile } from "../save-file.js";
 
 /** A compact JWS whose header begins {"alg":"EdDSA"; an Ed25519 signature has 64 bytes. */
 const RECEIPT = /eyJhbGciOiJFZERTQSI[\w-]*\.[\w-]+\.[\w-]{86}/g;
@@ -79,7 +79,7 @@ async function saveGradebook(receipts, format) {
   const calls = [...bodies(receipts)];
   for (const [i, body] of calls.entries()) {
     const part = calls.length > 1 ? `-${i + 1}` : "";
-    save(await api.file(`receipts/verify?format=${format}`, body), `framewise-${format}${part}.csv`);
+    saveFile(await api.file(`receipts/verify?format=${format}`, body), `framewise-${format}${part}.csv`);
   }
 }
 

@@ -16,6 +16,7 @@
 import { announce, el, fill, uniqueId } from "../dom.js";
 import { t } from "../i18n.js";
 import { whenIdle } from "../page.js";
+import { saveFile } from "../save-file.js";
 import { fitted, project, VIEWS } from "./camera.js";
 import { listenTo } from "./gestures.js";
 import { labelElement, placeLabels } from "./labels.js";
@@ -244,10 +245,7 @@ export class RobotScene extends HTMLElement {
   }
 
   async #record() {
-    const link = el("a", { download: `${this.getAttribute("label") || "robot"}.png` });
-    link.href = URL.createObjectURL(await this.picture());
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+    saveFile(await this.picture(), `${this.getAttribute("label") || "robot"}.png`);
     announce(t("form-scene-recorded"));
   }
 

@@ -1,5 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { Api } from "../../../static/js/api.js";
 import "./silent-page.mjs";
 
 /** As much of an element as buttons and answers ask for. */
@@ -43,4 +44,28 @@ test("what releases or applies grades is no longer there to be pressed while it 
   assert.deepEqual(asked, ["release"]);
   for (const text of ["lecturer-regrade-all", "lecturer-apply", "lecturer-apply"]) await press(text);
   assert.deepEqual(asked, ["release", "regradings", "regradings/7/apply"]);
+});
+
+test("an export is asked for with the token, and saved under its name", async () => {
+  const saved = [];
+  globalThis.document.createElement = (tag) =>
+    Object.assign(new Element(), {
+      setAttribute: (name, value) => name === "download" && saved.push(value),
+      click: () => saved.push(tag),
+    });
+  globalThis.URL.createObjectURL = () => "blob:";
+  const act = { path: (rest) => rest, changed: async () => {} };
+  const asked = [];
+  globalThis.fetch = async (address, { method, headers }) => {
+    asked.push(address, method, headers.Authorization);
+    return new Response("a,b");
+  };
+  const api = new Api("/api/v1/", "en");
+  api.token = "secret";
+  linkWork(api, { released: true }, { mode: "exam", feedback: "at_once" }, act)
+    .named("CSV")
+    .dispatchEvent(new Event("click"));
+  for (let turn = 0; turn < 50 && saved.length < 2; turn += 1) await settled();
+  assert.deepEqual(asked, ["/api/v1/export.csv", "GET", "Bearer secret"]);
+  assert.deepEqual(saved, ["attempts.csv", "a"]);
 });
