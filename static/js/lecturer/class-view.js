@@ -1,6 +1,6 @@
 /** The class at a glance: every student and every link, and scores that did not arrive. */
 
-import { dataTable } from "../data-table.js";
+import { LiveTable, liveButtons } from "../data-table.js";
 import { el, fill } from "../dom.js";
 import { named, ownDirection, t } from "../i18n.js";
 import { percentOf } from "../numbers.js";
@@ -18,77 +18,101 @@ export function studentName({ name, key }) {
   return name ? `${ownDirection(name)} (${short})` : short;
 }
 
+const COUNTS = ["absent", "opened", "begun", "stuck", "solved"];
+
 /**
- * @param {HTMLElement} place @param {any} found
- * @param {{openLink: (link: any) => void, openStudent: (link: any, student: any) => void,
- *   openState: (link: any, state: string, students: any[]) => void}} act
+ * @typedef {{openLink: (link: any) => void, openStudent: (link: any, student: any) => void,
+ *   openState: (link: any, state: string, students: any[]) => void}} Act
  */
-export function showClass(place, { links, students }, { openLink, openStudent, openState }) {
-  const counts = ["absent", "opened", "begun", "stuck", "solved"];
-  /** How many are in a state, which opens what is behind it. @param {any} link @param {string} state */
-  const number = (link, state) => {
-    if (!link[state]) return 0;
-    const own = students.filter((/** @type {any} */ each) => (each.links[link.id]?.state ?? "absent") === state);
-    return el("button", {
-      type: "button",
-      class: "quiet small",
-      "aria-label": named(t(`lecturer-state-${state}`), link[state]),
-      onclick: () => openState(link, state, own),
-      text: String(link[state]),
-    });
-  };
-  const summary = dataTable(
-    t("lecturer-links"),
-    [t("lecturer-link"), t("lecturer-exercise"), ...counts.map((name) => t(`lecturer-state-${name}`))],
-    links.map((/** @type {any} */ link) => [
-      el("button", {
-        type: "button",
-        class: "quiet",
-        onclick: () => openLink(link),
-        text: link.title || link.exercise_title || t("lecturer-no-exercise"),
-      }),
-      link.exercise_title ?? t("lecturer-no-exercise"),
-      ...counts.map((name) => number(link, name)),
-    ]),
-  );
-  /** @param {any} student @param {any} link */
-  const cell = (student, link) => {
-    const found = student.links[link.id];
-    const state = found?.state ?? "absent";
-    const said = t(`lecturer-state-${state}`);
-    if (!found) return el("span", { class: "badge", text: said });
-    const share = found.score === null ? "" : ` ${percentOf(found.score)}`;
-    return el("button", {
-      type: "button",
-      class: `badge ${TONES[state]}`,
-      onclick: () => openStudent(link, student),
-      text: found.attempts ? `${said}${share} (${found.attempts})` : said,
-    });
-  };
-  const people = dataTable(
-    t("lecturer-students"),
-    [
-      t("lecturer-student"),
-      ...links.map((/** @type {any} */ { title, exercise_title: exercise }) => title || exercise || "–"),
-    ],
-    students.map((/** @type {any} */ student) => [
-      studentName(student),
-      ...links.map((/** @type {any} */ link) => cell(student, link)),
-    ]),
-  );
-  fill(place, summary, students.length ? people : el("p", { class: "hint", text: t("lecturer-nobody") }));
+
+/** The class, which is brought up to date and never made anew: whoever reads it with a keyboard keeps the place. */
+export class ClassView {
+  #students = /** @type {any[]} */ ([]);
+  #links = /** @type {any[]} */ ([]);
+  #nobody = el("p", { class: "hint", text: t("lecturer-nobody") });
+
+  /** @param {HTMLElement} place @param {HTMLElement} refuge takes the focus where nothing is left that had it @param {Act} act */
+  constructor(place, refuge, act) {
+    this.act = act;
+    const counts = COUNTS.map((name) => t(`lecturer-state-${name}`));
+    const headings = [t("lecturer-link"), t("lecturer-exercise"), ...counts];
+    this.summary = new LiveTable(
+      t("lecturer-links"),
+      headings,
+      ({ id }) => id,
+      () => this.#linkLine(),
+      refuge,
+    );
+    this.people = new LiveTable(
+      t("lecturer-students"),
+      [],
+      ({ key }) => key,
+      () => this.#studentLine(),
+      refuge,
+    );
+    this.place = place;
+  }
+
+  /** @param {any} found */
+  show({ links, students }) {
+    if (!this.summary.element.isConnected) fill(this.place, this.summary.element, this.people.element, this.#nobody);
+    this.#links = links;
+    this.#students = students;
+    const titles = links.map((/** @type {any} */ { title, exercise_title: exercise }) => title || exercise || "–");
+    this.people.headings = [t("lecturer-student"), ...titles];
+    this.summary.show(links);
+    this.people.show(students);
+    this.#nobody.hidden = students.length > 0;
+  }
+
+  /** The row of a link: its title, and how many are in a state, which opens what is behind it. */
+  #linkLine() {
+    const button = liveButtons();
+    return (/** @type {any} */ link) => {
+      const exercise = link.exercise_title ?? t("lecturer-no-exercise");
+      const title = button("link", link.title || exercise, () => this.act.openLink(link), { kind: "quiet" });
+      const number = (/** @type {string} */ state) => {
+        if (!link[state]) return 0;
+        const label = named(t(`lecturer-state-${state}`), link[state]);
+        return button(state, String(link[state]), () => this.#openState(link, state), { label });
+      };
+      return [title, exercise, ...COUNTS.map(number)];
+    };
+  }
+
+  /** @param {any} link @param {string} state */
+  #openState(link, state) {
+    const own = this.#students.filter(({ links }) => (links[link.id]?.state ?? "absent") === state);
+    this.act.openState(link, state, own);
+  }
+
+  /** The row of a student: how far each link is. */
+  #studentLine() {
+    const button = liveButtons();
+    return (/** @type {any} */ student) => {
+      const cell = (/** @type {any} */ link) => {
+        const found = student.links[link.id];
+        const state = found?.state ?? "absent";
+        const said = t(`lecturer-state-${state}`);
+        if (!found) return el("span", { class: "badge", text: said });
+        const share = found.score === null ? "" : ` ${percentOf(found.score)}`;
+        const text = found.attempts ? `${said}${share} (${found.attempts})` : said;
+        return button(link.id, text, () => this.act.openStudent(link, student), { kind: `badge ${TONES[state]}` });
+      };
+      return [studentName(student), ...this.#links.map(cell)];
+    };
+  }
 }
 
-/** @param {HTMLElement} card @param {HTMLElement} place @param {any[]} lost @param {(link: number) => void} resend */
-export function showUndelivered(card, place, lost, resend) {
-  card.hidden = lost.length === 0;
-  fill(
-    place,
-    el("p", { text: t("lecturer-undelivered-text") }),
-    dataTable(
-      t("lecturer-undelivered"),
-      [t("lecturer-student"), t("lecturer-link"), t("lecturer-score"), t("lecturer-problem"), t("lecturer-resend")],
-      lost.map((entry) => [
+/** Scores that did not arrive at the platform. */
+export class UndeliveredView {
+  /** @param {HTMLElement} card @param {HTMLElement} place @param {HTMLElement} refuge @param {(link: number) => void} resend */
+  constructor(card, place, refuge, resend) {
+    this.card = card;
+    const headings = ["student", "link", "score", "problem", "resend"].map((name) => t(`lecturer-${name}`));
+    const line = () => {
+      const button = liveButtons();
+      return (/** @type {any} */ entry) => [
         studentName(entry),
         entry.title,
         percentOf(entry.score),
@@ -96,15 +120,16 @@ export function showUndelivered(card, place, lost, resend) {
           dataset: { code: entry.problem },
           text: `${t(`lecturer-problem-${adviceFor(entry)}`)} (${entry.problem})`,
         }),
-        entry.dead
-          ? el("button", {
-              type: "button",
-              class: "quiet small",
-              onclick: () => resend(entry.link),
-              text: t("lecturer-resend"),
-            })
-          : t("lecturer-waiting"),
-      ]),
-    ),
-  );
+        entry.dead ? button("resend", t("lecturer-resend"), () => resend(entry.link)) : t("lecturer-waiting"),
+      ];
+    };
+    this.list = new LiveTable(t("lecturer-undelivered"), headings, ({ link, key }) => `${link} ${key}`, line, refuge);
+    fill(place, el("p", { text: t("lecturer-undelivered-text") }), this.list.element);
+  }
+
+  /** @param {any[]} lost */
+  show(lost) {
+    this.list.show(lost);
+    this.card.hidden = lost.length === 0;
+  }
 }

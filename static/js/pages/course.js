@@ -3,7 +3,7 @@
 import { el, fill } from "../dom.js";
 import { t } from "../i18n.js";
 import { AttemptView } from "../lecturer/attempt-view.js";
-import { showClass, showUndelivered } from "../lecturer/class-view.js";
+import { ClassView, UndeliveredView } from "../lecturer/class-view.js";
 import { LinkView } from "../lecturer/link-view.js";
 import { api, startPage } from "../page.js";
 import { problemNotice, telling } from "../problem.js";
@@ -27,6 +27,17 @@ async function run() {
       { card: $("link-card"), heading: $("link-heading"), body: $("link") },
       { openAttempt, changed: refresh },
     );
+    const view = new ClassView($("class"), $("class-heading"), {
+      openLink: (chosen) => link.show(chosen),
+      openStudent: (chosen, student) => link.showStudent(chosen, student),
+      openState: (chosen, state, students) => link.showState(chosen, state, students),
+    });
+    const undelivered = new UndeliveredView($("undelivered-card"), $("undelivered"), $("class-heading"), (id) =>
+      telling($("course-problem"), async () => {
+        await api.post(`course/links/${id}/resend`, {});
+        await refresh();
+      })(),
+    );
     const { link: current, links } = await refresh();
     const own = links.find((/** @type {any} */ { id }) => id === current);
     if (own) await link.show(own);
@@ -34,17 +45,8 @@ async function run() {
     async function refresh() {
       const found = await api.get("course");
       $("course-title").textContent = found.course.title || t("lecturer-title");
-      showClass($("class"), found, {
-        openLink: (chosen) => link.show(chosen),
-        openStudent: (chosen, student) => link.showStudent(chosen, student),
-        openState: (chosen, state, students) => link.showState(chosen, state, students),
-      });
-      showUndelivered($("undelivered-card"), $("undelivered"), found.undelivered, (id) =>
-        telling($("course-problem"), async () => {
-          await api.post(`course/links/${id}/resend`, {});
-          await refresh();
-        })(),
-      );
+      view.show(found);
+      undelivered.show(found.undelivered);
       return found;
     }
   } catch (error) {

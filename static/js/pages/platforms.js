@@ -1,8 +1,8 @@
 /** The administrator's page: the platforms that may launch, and invitations to register one. */
 
 import { Problem } from "../api.js";
-import { dataTable } from "../data-table.js";
-import { announce, el, fill } from "../dom.js";
+import { dataTable, LiveTable, liveButtons } from "../data-table.js";
+import { announce, arrange, el, fill } from "../dom.js";
 import { dates, named, t } from "../i18n.js";
 import { api, root, startPage } from "../page.js";
 import { problemNotice } from "../problem.js";
@@ -10,6 +10,9 @@ import { problemNotice } from "../problem.js";
 const $ = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
 /** The invitations; the form beside them stays, with the address that is told only once. */
 const invited = el("div");
+/** The platforms; what stands where there are none. @type {LiveTable<any> | null} */
+let listed = null;
+const none = el("p", { class: "hint" });
 const FIELDS = ["issuer", "client_id", "authorization_endpoint", "token_endpoint", "jwks_uri"];
 
 /** The code of the address that the command printed. */
@@ -58,67 +61,73 @@ async function attempt(work) {
 
 async function refresh() {
   const { platforms, invitations } = await api.get("administration/platforms");
-  const headings = ["platform", "status", "deployments", "names", "actions"].map((name) => t(`platforms-${name}`));
-  fill(
-    $("list"),
-    platforms.length
-      ? dataTable(t("platforms-list"), headings, platforms.map(platformRow))
-      : el("p", { class: "hint", text: t("platforms-none") }),
-  );
+  listed ??= listedPlatforms();
+  if (!listed.element.isConnected) fill($("list"), listed.element, none);
+  none.hidden = platforms.length > 0;
+  listed.show(platforms);
   fill(invited, invitationTable(invitations));
 }
 
-/** @param {any} platform */
-function platformRow({ id, issuer, client_id: client, name, status, names_shared: names, deployments, not_fetched }) {
+function listedPlatforms() {
+  const headings = ["platform", "status", "deployments", "names", "actions"].map((name) => t(`platforms-${name}`));
+  none.textContent = t("platforms-none");
+  return new LiveTable(t("platforms-list"), headings, ({ id }) => id, platformLine, $("list-heading"));
+}
+
+/** The row of a platform, whose elements stay while the platform is changed. @returns {(platform: any) => import("../dom.js").Child[]} */
+function platformLine() {
+  /** @type {any} */
+  let platform;
   const change = (/** @type {any} */ told) =>
     attempt(async () => {
-      await api.put(`administration/platforms/${id}`, told);
+      await api.put(`administration/platforms/${platform.id}`, told);
+      if (told.deployment) deployment.value = "";
       announce(t("platforms-saved"));
       await refresh();
     });
   const remove = () =>
-    confirm(t("platforms-remove-sure", { issuer })) &&
+    confirm(t("platforms-remove-sure", { issuer: platform.issuer })) &&
     attempt(async () => {
-      await api.remove(`administration/platforms/${id}`);
+      await api.remove(`administration/platforms/${platform.id}`);
+      announce(t("platforms-saved"));
       await refresh();
     });
-  /** @param {string} text @param {any} onclick */
-  const button = (text, onclick) =>
-    el("button", { type: "button", class: "quiet small", onclick, text, "aria-label": named(text, name || issuer) });
-  const deployment = /** @type {HTMLInputElement} */ (
-    el("input", { size: 12, required: true, "aria-label": named(t("platforms-deployment"), name || issuer) })
-  );
+  const [told, deployments, actions] = [el("div"), el("p"), el("div", { class: "row" })];
+  const button = liveButtons();
+  const deployment = el("input", { size: 12, required: true });
+  const add = (/** @type {Event} */ event) => (event.preventDefault(), change({ deployment: deployment.value }));
   const more = el(
     "form",
-    {
-      class: "row",
-      onsubmit: (/** @type {Event} */ event) => {
-        event.preventDefault();
-        change({ deployment: deployment.value });
-      },
-    },
+    { class: "row", onsubmit: add },
     deployment,
     el("button", { type: "submit", class: "quiet small", text: t("platforms-add-deployment") }),
   );
+  const added = el("div", {}, deployments, more);
+  return (now) => {
+    platform = now;
+    const who = now.name || now.issuer;
+    const turn = now.status === "active" ? ["disable", "disabled"] : ["activate", "active"];
+    const called = (/** @type {string} */ text) => ({ label: named(text, who) });
+    fill(told, platformText(now));
+    deployments.textContent = now.deployments.join(", ") || "–";
+    deployment.setAttribute("aria-label", named(t("platforms-deployment"), who));
+    const turning = t(`platforms-${turn[0]}`);
+    const buttons = [
+      button("turn", turning, () => change({ status: turn[1] }), called(turning)),
+      button("remove", t("platforms-remove"), remove, called(t("platforms-remove"))),
+    ];
+    arrange(actions, buttons);
+    const names = t(`platforms-names-${now.names_shared ? "yes" : "no"}`);
+    return [told, t(`platforms-status-${now.status}`), added, names, actions];
+  };
+}
+
+/** @param {any} platform */
+function platformText({ issuer, client_id: client, name, not_fetched: unread }) {
   return [
-    el(
-      "div",
-      {},
-      el("span", {}, name ? `${name} · ` : "", el("code", { text: issuer }), " · ", el("code", { text: client })),
-      not_fetched.map((/** @type {string} */ address) =>
-        el("p", { class: "notice notice-warn", text: t("platforms-not-fetched", { address }) }),
-      ),
-    ),
-    t(`platforms-status-${status}`),
-    el("div", {}, el("p", { text: deployments.join(", ") || "–" }), more),
-    t(`platforms-names-${names ? "yes" : "no"}`),
-    el(
-      "div",
-      { class: "row" },
-      status === "active"
-        ? button(t("platforms-disable"), () => change({ status: "disabled" }))
-        : button(t("platforms-activate"), () => change({ status: "active" })),
-      button(t("platforms-remove"), remove),
+    el("span", {}, name ? `${name} · ` : "", el("code", { text: issuer }), " · ", el("code", { text: client })),
+    unread.map((/** @type {string} */ address) =>
+      el("p", { class: "notice notice-warn", text: t("platforms-not-fetched", { address }) }),
     ),
   ];
 }

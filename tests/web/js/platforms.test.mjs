@@ -1,53 +1,11 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import "./silent-page.mjs";
+import { placed, until } from "./live-page.mjs";
 
-/** As much of an element as the page asks for. */
-class Element extends EventTarget {
-  children = [];
-  value = "";
-  textContent = "";
-  attributes = new Map();
-  constructor(tag) {
-    super();
-    this.tag = tag;
-  }
-  get all() {
-    return [this, ...this.children.flatMap((child) => child.all ?? [])];
-  }
-  setAttribute(name, value) {
-    this.attributes.set(name, value);
-  }
-  appendChild(child) {
-    this.children.push(child);
-  }
-  replaceChildren() {
-    this.children = [];
-  }
-  querySelector() {
-    return this.all.find(({ attributes }) => attributes.get("role") === "status");
-  }
-  scrollIntoView() {}
-}
-const places = new Map(
-  ["platforms-problem", "list", "invite-card", "invite", "add-card", "add"].map((id) => [id, new Element(id)]),
-);
-Object.assign(globalThis.document, {
-  createElement: (tag) => new Element(tag),
-  createTextNode: () => new Element("#text"),
-  getElementById: (id) => places.get(id) ?? null,
-  querySelectorAll: () => [],
-  addEventListener() {},
-});
-globalThis.window = globalThis;
-globalThis.addEventListener = () => {};
+const ids = ["platforms-problem", "list-heading", "list", "invite-card", "invite", "add-card", "add"];
+const places = new Map(ids.map((id) => [id, placed(id)]));
 globalThis.history = { replaceState() {} };
 globalThis.location = new URL("https://example.org/platforms#code=once");
-/** Lets the page go on until something is there. */
-const until = async (found) => {
-  for (let turn = 0; turn < 5000 && !found(); turn += 1) await new Promise((done) => setTimeout(done));
-  return found();
-};
 
 const PLATFORM = { id: 1, issuer: "https://lms", client_id: "c", name: "", deployments: [], not_fetched: [] };
 const ANSWERS = {
@@ -79,4 +37,38 @@ test("the address of an invitation, which is told once, and a note that is typed
   for (let i = 0; i < 50; i += 1) await new Promise((done) => setImmediate(done));
   assert.ok(find(invite, isAddress));
   assert.equal(find(invite, ({ tag }) => tag === "input").value, "for the next one");
+});
+
+test("the focus and what is typed in another row stay when a platform is changed or removed", async () => {
+  const list = places.get("list");
+  const button = (text, row = list) => row.find((each) => each.tag === "button" && each.textContent === text);
+  const rows = () => list.all.filter(({ tag, parent }) => tag === "tr" && parent.tag === "tbody");
+  const answer = (...platforms) => (ANSWERS["GET platforms"] = { platforms, invitations: [] });
+  const first = { ...PLATFORM, status: "active", names_shared: false };
+  const second = { ...first, id: 2, issuer: "https://other" };
+  const press = async (pressed) => {
+    const before = lists;
+    pressed.focus();
+    pressed.dispatchEvent(new Event("click"));
+    await until(() => lists > before);
+    for (let i = 0; i < 50; i += 1) await new Promise((done) => setImmediate(done));
+  };
+  globalThis.confirm = () => true;
+  ANSWERS["DELETE 1"] = ANSWERS["DELETE 2"] = {};
+  answer(first, second);
+  await press(button("platforms-disable"));
+  const typed = rows()[1].find(({ tag }) => tag === "input");
+  typed.value = "17";
+  answer({ ...first, status: "disabled" }, second);
+  const turning = button("platforms-disable");
+  await press(turning);
+  assert.equal(document.activeElement, turning);
+  assert.equal(turning.textContent, "platforms-activate");
+  answer(second);
+  await press(button("platforms-remove"));
+  assert.ok(list.contains(document.activeElement));
+  assert.deepEqual([rows().length, rows()[0].contains(typed), typed.value], [1, true, "17"]);
+  answer();
+  await press(button("platforms-remove"));
+  assert.equal(document.activeElement, document.getElementById("list-heading"));
 });
