@@ -51,10 +51,25 @@ export async function startPage(run) {
   }
   prepareLanguages();
   takeAlong();
-  await loadMessages(root, messages || "form");
+  await loadTexts();
   whenNothingLasts(sayThatNothingLasts);
   await run();
   document.documentElement.dataset.ready = "true";
+}
+
+/** Loads the page's texts. Where they do not come, the page says so in those it was delivered with, until a new try is asked for. */
+async function loadTexts() {
+  try {
+    await loadMessages(root, messages || "form");
+  } catch (error) {
+    const notice = document.getElementById("unloaded");
+    if (!notice) throw error;
+    notice.hidden = false;
+    await new Promise((resolve) => notice.querySelector("button")?.addEventListener("click", resolve, { once: true }));
+    document.getElementById("main")?.focus(); // the button is about to go
+    notice.hidden = true;
+    await loadTexts();
+  }
 }
 
 /** Above the page, and read out: storage is blocked or full. */

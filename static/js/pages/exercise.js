@@ -132,6 +132,7 @@ async function run() {
   function resume(state) {
     restore(state);
     keepDraft();
+    verdict.outdated();
     follow({ now: true });
   }
 
@@ -238,6 +239,8 @@ async function run() {
   function takeBack(state) {
     restore(state);
     keepDraft();
+    frame?.draft(answer.state);
+    verdict.outdated();
     follow({ now: true });
     answer.focus();
     announce(t("form-history-restored"));

@@ -22,3 +22,31 @@ test("the settings of a link hold in the tab until a launch from a course", asyn
   assert.equal(await contextAt("?lang=fr#session=code"), "");
   assert.equal(await contextAt("?lang=es"), "");
 });
+
+test("a page whose texts do not come says so, and runs once they do", async () => {
+  const button = new EventTarget();
+  const notice = { hidden: true, querySelector: () => button };
+  const main = { focused: 0, focus: () => (main.focused += 1) };
+  Object.assign(globalThis.document, {
+    getElementById: (id) => ({ unloaded: notice, main })[id] ?? null,
+    querySelectorAll: () => [],
+    addEventListener() {},
+  });
+  globalThis.window = globalThis;
+  globalThis.location = new URL("https://example.org/");
+  const answers = [new Response("", { status: 503 }), null, new Response("")];
+  globalThis.fetch = async () => answers.shift() ?? Promise.reject(new TypeError("offline"));
+  const turns = async () => {
+    for (let turn = 0; turn < 20; turn += 1) await new Promise((done) => setTimeout(done));
+  };
+  const { startPage } = await import("../../../static/js/page.js?without-texts");
+  let runs = 0;
+  const started = startPage(() => void (runs += 1));
+  for (const left of [2, 1]) {
+    await turns();
+    assert.deepEqual([notice.hidden, answers.length, runs], [false, left, 0]);
+    button.dispatchEvent(new Event("click"));
+  }
+  await started;
+  assert.deepEqual([notice.hidden, runs, main.focused], [true, 1, 2]);
+});
