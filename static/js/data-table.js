@@ -98,13 +98,15 @@ function place(row, cells) {
 
 /** Buttons by name, each of which stays the same element, whatever it says and does now. */
 export function liveButtons() {
-  /** @type {Map<string | number, {button: HTMLButtonElement, run: () => void}>} */
+  /** @typedef {{button: HTMLButtonElement, run: () => void}} Live */
+  /** @type {Map<string | number, Live>} */
   const all = new Map();
   /**
    * @param {string | number} name @param {string} text @param {() => void} run
    * @param {{kind?: string, label?: string}} [options] its class, and what it is read as
    */
   return (name, text, run, { kind = "quiet small", label = "" } = {}) => {
+    /** @type {Live} */
     const found = all.get(name) ?? { run, button: el("button", { type: "button", onclick: () => found.run() }) };
     all.set(name, found);
     found.run = run;

@@ -115,11 +115,13 @@ async function run() {
 
   /** @param {any} state of an earlier visit; the form stays as it is, if an earlier version wrote something else */
   function restore(state) {
+    const before = JSON.stringify(answer.states);
     try {
       if (state) answer.state = state;
     } catch (error) {
       console.warn(error);
     }
+    if (JSON.stringify(answer.states) !== before) verdict.outdated();
   }
 
   function keepDraft() {
@@ -132,7 +134,6 @@ async function run() {
   function resume(state) {
     restore(state);
     keepDraft();
-    verdict.outdated();
     follow({ now: true });
   }
 
@@ -240,7 +241,6 @@ async function run() {
     restore(state);
     keepDraft();
     frame?.draft(answer.state);
-    verdict.outdated();
     follow({ now: true });
     answer.focus();
     announce(t("form-history-restored"));

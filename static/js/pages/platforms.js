@@ -3,7 +3,7 @@
 import { Problem } from "../api.js";
 import { dataTable, LiveTable, liveButtons } from "../data-table.js";
 import { announce, arrange, el, fill } from "../dom.js";
-import { dates, named, t } from "../i18n.js";
+import { dates, named, ownDirection, t } from "../i18n.js";
 import { api, root, startPage } from "../page.js";
 import { problemNotice } from "../problem.js";
 
@@ -125,7 +125,7 @@ function platformLine() {
 /** @param {any} platform */
 function platformText({ issuer, client_id: client, name, not_fetched: unread }) {
   return [
-    el("span", {}, name ? `${name} · ` : "", el("code", { text: issuer }), " · ", el("code", { text: client })),
+    el("span", {}, name ? `${ownDirection(name)} · ` : "", el("code", { text: issuer }), " · ", el("code", { text: client })),
     unread.map((/** @type {string} */ address) =>
       el("p", { class: "notice notice-warn", text: t("platforms-not-fetched", { address }) }),
     ),
