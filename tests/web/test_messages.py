@@ -80,9 +80,8 @@ def test_what_scripts_and_templates_say_exists_and_what_exists_is_said() -> None
         stems |= set(STEM.findall(text))
     for path in (ROOT / "service" / "web" / "templates").glob("*.html"):
         said |= set(FIELD.findall(path.read_text(encoding="utf-8")))
-    for path in (ROOT / "service" / "routes").rglob("*.py"):
-        text = path.read_text(encoding="utf-8")
-        said |= set(re.findall(rf'(?:title=|say\()"({ROOM}-[a-z0-9-]+)"', text))
+    for path in (path for room in ("routes", "web") for path in (ROOT / "service" / room).rglob("*.py")):
+        said |= set(QUOTED.findall(path.read_text(encoding="utf-8")))
     for room in ROOMS:
         said |= set(REFERENCE.findall((LOCALES / "en" / f"{room}.ftl").read_text(encoding="utf-8")))
     assert not {f"{room}-" for room in ROOMS} & stems, "any message would do"
