@@ -125,7 +125,14 @@ function platformLine() {
 /** @param {any} platform */
 function platformText({ issuer, client_id: client, name, not_fetched: unread }) {
   return [
-    el("span", {}, name ? `${ownDirection(name)} · ` : "", el("code", { text: issuer }), " · ", el("code", { text: client })),
+    el(
+      "span",
+      {},
+      name ? `${ownDirection(name)} · ` : "",
+      el("code", { text: issuer }),
+      " · ",
+      el("code", { text: client }),
+    ),
     unread.map((/** @type {string} */ address) =>
       el("p", { class: "notice notice-warn", text: t("platforms-not-fetched", { address }) }),
     ),

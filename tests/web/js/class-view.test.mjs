@@ -14,11 +14,11 @@ test("the class is brought up to date under whoever reads it, and opens what the
   const link = { id: 1, title: "Arm", exercise: "scara", exercise_title: "SCARA", begun: 1 };
   const student = (attempts) => ({ key: "ada", links: { 1: { state: "begun", score: 0.5, attempts } } });
   view.show({ links: [link], students: [student(1)] });
-  const buttons = () => document.body.all.filter(({ tag }) => tag === "button");
+  const buttons = () => globalThis.document.body.all.filter(({ tag }) => tag === "button");
   const [title, count, state] = buttons();
   press(state);
   view.show({ links: [{ ...link, exercise: "puma560" }], students: [{ key: "bob", links: {} }, student(2)] });
-  assert.equal(document.activeElement, state);
+  assert.equal(globalThis.document.activeElement, state);
   assert.equal(state.textContent, "lecturer-state-begun 50 % (2)");
   for (const button of [title, state]) press(button);
   assert.deepEqual(opened, [["scara", 1], "puma560", ["puma560", 2]]);
@@ -32,8 +32,8 @@ test("the focus goes on to the list, and at last to the class, when a score is s
   view.show([lost]);
   press(card.find(({ tag }) => tag === "button"));
   view.show([{ ...lost, dead: false }]);
-  assert.equal(document.activeElement, view.list.element);
+  assert.equal(globalThis.document.activeElement, view.list.element);
   view.show([]);
-  assert.equal(document.activeElement, heading);
+  assert.equal(globalThis.document.activeElement, heading);
   assert.equal(card.hidden, true);
 });

@@ -18,7 +18,7 @@ export class Element extends EventTarget {
     return [this, ...this.children.flatMap((child) => child.all)];
   }
   get isConnected() {
-    return this === document.body || Boolean(this.parent?.isConnected);
+    return this === globalThis.document.body || Boolean(this.parent?.isConnected);
   }
   get textContent() {
     return this.children.map((child) => child.textContent).join("") || this.#text;
@@ -46,7 +46,7 @@ export class Element extends EventTarget {
     this.attributes.set(name, value);
   }
   remove() {
-    if (this.contains(document.activeElement)) document.activeElement = document.body;
+    if (this.contains(globalThis.document.activeElement)) globalThis.document.activeElement = globalThis.document.body;
     this.parent?.children.splice(this.parent.children.indexOf(this), 1);
     this.parent = null;
   }
@@ -78,7 +78,7 @@ export class Element extends EventTarget {
   }
   scrollIntoView() {}
   focus() {
-    if (this.isConnected && !this.hidden) document.activeElement = this;
+    if (this.isConnected && !this.hidden) globalThis.document.activeElement = this;
   }
   /** The first of these within, as a reader would point at it. */
   find(wanted) {

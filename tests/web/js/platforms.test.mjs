@@ -62,13 +62,13 @@ test("the focus and what is typed in another row stay when a platform is changed
   answer({ ...first, status: "disabled" }, second);
   const turning = button("platforms-disable");
   await press(turning);
-  assert.equal(document.activeElement, turning);
+  assert.equal(globalThis.document.activeElement, turning);
   assert.equal(turning.textContent, "platforms-activate");
   answer(second);
   await press(button("platforms-remove"));
-  assert.ok(list.contains(document.activeElement));
+  assert.ok(list.contains(globalThis.document.activeElement));
   assert.deepEqual([rows().length, rows()[0].contains(typed), typed.value], [1, true, "17"]);
   answer();
   await press(button("platforms-remove"));
-  assert.equal(document.activeElement, document.getElementById("list-heading"));
+  assert.equal(globalThis.document.activeElement, globalThis.document.getElementById("list-heading"));
 });

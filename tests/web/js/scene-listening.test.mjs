@@ -23,7 +23,7 @@ const { RobotScene } = await import("../../../static/js/scene/robot-scene.js");
 test("a scene listens to the window and the screen while it is on the page, and once", async () => {
   const listening = () => [getEventListeners(page, "beforeprint").length, getEventListeners(screen, "change").length];
   const scene = new RobotScene();
-  const come = () => (document.body.append(scene), scene.connectedCallback());
+  const come = () => (globalThis.document.body.append(scene), scene.connectedCallback());
   const go = () => (scene.remove(), scene.disconnectedCallback());
   come();
   assert.deepEqual(listening(), [1, 1]);
