@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import "./silent-page.mjs";
+import { until } from "./live-page.mjs";
 
 /** As much of an element as the form asks for. */
 class Element extends EventTarget {
@@ -48,11 +48,6 @@ globalThis.FormData = class {
   }
 };
 globalThis.location = new URL("https://example.org/lti/choose#choice=code");
-/** Lets the page go on until something is there. */
-const until = async (found) => {
-  for (let turn = 0; turn < 5000 && !found(); turn += 1) await new Promise((done) => setTimeout(done));
-  return found();
-};
 
 const sent = [];
 let isReached = true;
