@@ -15,7 +15,7 @@ def mued_url() -> Iterator[str]:
     if url := os.environ.get("MUED_URL"):
         yield url.rstrip("/")
         return
-    with running(Settings()) as own:
+    with running(Settings(queue_seconds=300.0)) as own:
         yield own
 
 

@@ -49,6 +49,9 @@ WITHOUT_FRAGMENT = re.compile("^[^#]*$")
 
 LANGUAGES = ("en", "ro", "pt", "fr", "uk", "es")
 
+UNHURRIED: dict[str, Any] = {"symbolic_seconds": 60.0, "queue_seconds": 300.0}
+"""Settings of a service that refuses nothing because a machine is busy: pages would be told of it."""
+
 
 @pytest.fixture(scope="session")
 def web() -> Iterator[str]:
@@ -56,7 +59,7 @@ def web() -> Iterator[str]:
 
     It gives slow machines time: how long an answer may take is not the form's business.
     """
-    with running(Settings(frame_ancestors=("*",), symbolic_seconds=60.0)) as origin:
+    with running(Settings(frame_ancestors=("*",), **UNHURRIED)) as origin:
         yield origin
 
 

@@ -16,7 +16,7 @@ from playwright.sync_api import Browser, Page, expect
 
 from service.settings import Settings
 from tests.live_service import running
-from tests.web.conftest import ROOT
+from tests.web.conftest import ROOT, UNHURRIED
 from tests.web.driving import cell, fill_table
 from tests.web.profiles import PATIENCE, new_context
 
@@ -68,7 +68,7 @@ VERSIONS: dict[str, dict[str, str]] = {
 @pytest.fixture(scope="module")
 def strict() -> Iterator[str]:
     """A service with its own settings: no origin but its own may frame its other pages."""
-    with running(Settings()) as origin:
+    with running(Settings(**UNHURRIED)) as origin:
         yield origin
 
 
