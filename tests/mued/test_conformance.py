@@ -130,6 +130,7 @@ def test_a_callback_is_accepted_with_an_id_or_refused(platform: httpx.Client) ->
 
 
 schema = schemathesis.openapi.from_dict(DOCUMENT)
+schema.config.update(request_timeout=120)  # ten seconds otherwise, and machines may be busy
 EXAMPLES = 60
 
 
