@@ -106,8 +106,9 @@ export function placed(id) {
   return places.get(id);
 }
 
-/** Lets the page go on until something is there, for a few turns at most. */
+/** Lets the page go on until something is there, for a minute at most. */
 export async function until(found) {
-  for (let turn = 0; turn < 5000 && !found(); turn += 1) await new Promise((done) => setTimeout(done));
+  const end = performance.now() + 60_000;
+  while (!found() && performance.now() < end) await new Promise((done) => setTimeout(done));
   return found();
 }
