@@ -44,6 +44,8 @@ def table_typed(page: Page) -> None:
 
 def symbols_shown(page: Page) -> None:
     put_table(page, SCARA)
+    # Until then what is above the summary grows, and a click may miss it.
+    expect(page.locator("#own")).to_contain_text("Drawn from your table")
     page.locator("#own details > summary").last.click()
     page.locator("matrix-panel input[value=symbols]").check()
     page.locator("matrix-panel .katex").first.wait_for()

@@ -133,6 +133,7 @@ def test_a_links_attempts_left_open_are_those_of_the_exercise(open_page: OpenPag
 def test_matrices_wait_for_the_parts_that_ask_for_them(open_page: OpenPage) -> None:
     page = open_page("/exercises/puma560")
     put_table(page, PUMA)
+    expect(page.locator("#own")).to_contain_text("Drawn from your table")
     page.locator(".own-matrices summary").click()
     expect(page.locator(".own-matrices")).to_contain_text("once the parts that ask for them are right")
     expect(page.locator("matrix-panel")).to_be_hidden()

@@ -176,6 +176,7 @@ def test_matrices_are_asked_again_until_they_come(
             route.fulfill(status=status, json={"title": "Busy", "code": "busy"})
 
     page.route("**/forward-kinematics", fail_first)
+    expect(page.locator("#own .own-status")).to_contain_text("Drawn from your table")
     page.get_by_label("q1 in °").fill("60")
     open_matrices(page)
     expect(page.locator("matrix-panel .bracketed mn").first).to_have_text("0.5")
