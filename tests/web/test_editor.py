@@ -324,7 +324,14 @@ def test_dates_are_those_of_portugal_where_the_texts_are(open_page: OpenPage) ->
 def test_the_score_is_drawn_in_forced_colours(open_page: OpenPage) -> None:
     """The ring was a background, which forced colours take away; the number alone stood there."""
     page = open_page("/exercises/twolink", before=lambda page: page.emulate_media(forced_colors="active"))
-    page.evaluate("document.body.innerHTML = '<div class=score-ring></div>'")
+    page.evaluate(
+        """() => {  // over the page, which goes on with what it does
+          const sheet = document.createElement("div");
+          Object.assign(sheet.style, { position: "fixed", inset: 0, zIndex: 9999, background: "Canvas" });
+          sheet.innerHTML = "<div class=score-ring></div>";
+          document.body.append(sheet);
+        }"""
+    )
     ring = page.locator(".score-ring")
     shots = set()
     for score in ("0%", "50%", "100%"):
