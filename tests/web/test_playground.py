@@ -205,6 +205,8 @@ def test_limits_and_durations_that_do_not_hold_are_explained(open_page: OpenPage
     """A red border was all, and the curves of the trajectory went."""
     page = open_page("/playground")
     page.get_by_label("Robot from the catalogue").select_option("scara")
+    # With the robot come new fields, in place of those that stand there.
+    expect(page.locator("joint-sliders .joint-name")).to_have_count(4)
     opened(page, "Joint limits")
     tool = page.locator("details.tool", has_text="Joint limits")
     least = tool.locator("tbody input").first
