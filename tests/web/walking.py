@@ -1,6 +1,7 @@
 """What a student does in the trainer, as functions: by the lecture, or by a habit."""
 
 import random
+import re
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -15,6 +16,15 @@ STEPS = ("z", "normals", "origin", "x", "read")
 
 def ready(page: Page) -> None:
     expect(page.locator("fieldset.choices")).to_have_count(1)
+
+
+def drawn(page: Page) -> None:
+    """Wait until the options stand in the picture, where they will be."""
+    page.wait_for_function(
+        "() => document.querySelector('robot-scene')?.model.items.some(({ pick }) => pick)"
+    )
+    page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    expect(page.locator("robot-scene")).to_have_attribute("data-drawn", re.compile(r"\d"))
 
 
 def offered(page: Page) -> list[list[float]]:
