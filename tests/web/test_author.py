@@ -17,7 +17,7 @@ from service.settings import Settings
 from tests.examples import DRAFT
 from tests.live_service import running
 from tests.web.axe import EVERYTHING
-from tests.web.conftest import LANGUAGES, WITHOUT_FRAGMENT, OpenPage, Watch
+from tests.web.conftest import LANGUAGES, UNHURRIED, WITHOUT_FRAGMENT, OpenPage, Watch
 from tests.web.driving import cell, put_table
 
 PATIENCE = 120_000
@@ -37,7 +37,7 @@ URDF = """<robot name="arm">
 def stored(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     """A service that can publish."""
     folder = tmp_path_factory.mktemp("data")
-    with running(Settings(storage="on", data_folder=folder, symbolic_seconds=60.0)) as origin:
+    with running(Settings(storage="on", data_folder=folder, **UNHURRIED)) as origin:
         yield origin
 
 
@@ -100,6 +100,8 @@ def test_an_arm_of_six_axes_is_drawn(open_page: OpenPage) -> None:
     expect(table.locator("tbody tr")).to_have_count(6)
     page.locator("[data-path='definition/title/en']").fill("The arm of chapter 3")
     page.locator("[data-path=id]").fill("chapter-3")
+    # The drawing's last answer is in the draft, beside what was typed meanwhile.
+    page.wait_for_function(f"() => localStorage.getItem('framewise:author').includes({UR5['d5']!r})")
     green(page)
     expect(page.locator("#author-policy")).to_contain_text("Of the 32 ways")
     archive = downloaded(page)
@@ -127,6 +129,7 @@ POINT_OF = """(wanted) => {
 def click_in_the_picture(page: Page, wanted: str) -> None:
     """Click what is called so, wherever the size of the picture and of its letters lets it stand."""
     page.locator("robot-scene").scroll_into_view_if_needed()
+    page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
     page.mouse.click(*page.wait_for_function(POINT_OF, arg=wanted).json_value())
 
 
