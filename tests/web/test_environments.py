@@ -14,7 +14,7 @@ from playwright.sync_api import Page, ViewportSize, expect
 from service.settings import Settings
 from tests.live_service import running
 from tests.web.axe import EVERYTHING
-from tests.web.conftest import LANGUAGES, WITHOUT_FRAGMENT, OpenPage, Watch, wait_ready
+from tests.web.conftest import LANGUAGES, UNHURRIED, WITHOUT_FRAGMENT, OpenPage, Watch, wait_ready
 from tests.web.driving import (
     PUMA,
     SCARA,
@@ -178,12 +178,12 @@ def test_the_table_has_room_at_400_percent(open_page: OpenPage) -> None:
     page = open_page("/exercises/scara", width=320, height=256)
     typed = cell(page, 1, "d")
     typed.click()
-    typed.evaluate("cell => cell.scrollIntoView({ block: 'center' })")
     below = """cell => {
+      cell.scrollIntoView({ block: "center" });
       const { left, bottom } = cell.getBoundingClientRect();
-      return Boolean(document.elementFromPoint(left + 20, bottom + 40).closest("dh-table-editor"));
+      return Boolean(document.elementFromPoint(left + 20, bottom + 40)?.closest("dh-table-editor"));
     }"""
-    assert typed.evaluate(below)
+    page.wait_for_function(below, arg=typed.element_handle())
 
 
 def test_a_finger_that_scrolls_over_the_robot_leaves_it_as_it_stood(open_page: OpenPage) -> None:
@@ -192,6 +192,8 @@ def test_a_finger_that_scrolls_over_the_robot_leaves_it_as_it_stood(open_page: O
     page.locator("#figure-mode").get_by_text("3-D").tap()
     scene = page.locator("#figure-card robot-scene")
     scene.evaluate("scene => scene.scrollIntoView({ block: 'center' })")
+    expect(scene).to_have_attribute("data-drawn", re.compile(r"\d"))
+    page.evaluate(TWO_FRAMES)
     drawn, box, start = (
         scene.locator("svg").first.inner_html(),
         scene.bounding_box(),
@@ -211,6 +213,7 @@ def test_a_finger_that_scrolls_over_the_robot_leaves_it_as_it_stood(open_page: O
         touched("touchMove", y - 12 * step)
     touched("touchEnd")
     page.wait_for_function("start => scrollY > start", arg=start)
+    page.evaluate(TWO_FRAMES)
     assert scene.locator("svg").first.inner_html() == drawn
 
 
@@ -483,7 +486,7 @@ def test_a_scene_that_is_gone_holds_no_context(open_page: OpenPage) -> None:
 
 
 def test_everything_works_under_a_prefix(open_page: OpenPage) -> None:
-    with running(Settings(prefix="/robotics/dh")) as origin:
+    with running(Settings(prefix="/robotics/dh", **UNHURRIED)) as origin:
         page = open_page("/robotics/dh/", origin=origin)
         page.get_by_role("link", name="SCARA", exact=True).click()
         page.wait_for_url("**/robotics/dh/exercises/scara?lang=en")
