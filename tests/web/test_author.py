@@ -130,7 +130,10 @@ def click_in_the_picture(page: Page, wanted: str) -> None:
     """Click what is called so, wherever the size of the picture and of its letters lets it stand."""
     page.locator("robot-scene").scroll_into_view_if_needed()
     page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
-    page.mouse.click(*page.wait_for_function(POINT_OF, arg=wanted).json_value())
+    place = page.wait_for_function(POINT_OF, arg=wanted).json_value()
+    # With its answer the picture is another one, in which the next point may stand elsewhere.
+    with page.expect_event("requestfinished", lambda sent: sent.url.endswith("/author/start")):
+        page.mouse.click(*place)
 
 
 def test_an_axis_is_placed_with_the_mouse(open_page: OpenPage) -> None:
