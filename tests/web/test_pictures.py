@@ -150,6 +150,8 @@ def test_a_cell_and_what_it_is_drawn_as_light_each_other(open_page: OpenPage) ->
     expect(told).to_contain_text("Drawn from your table")
     watch = "told => new MutationObserver(() => (told.changed = true)).observe(told, { childList: true })"
     told.evaluate(watch)
+    # What is announced stands there a frame later.
+    page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
     page.evaluate("document.getElementById('announcer').textContent = ''")
     cell(page, 2, "a").focus()
     expect(cell(page, 2, "a")).to_have_class("lit")
