@@ -114,6 +114,15 @@ def no_lane_stands_back() -> Iterator[None]:
 
 
 @pytest.fixture(scope="session", autouse=True)
+def whatever_starts_is_waited_for() -> Iterator[None]:
+    """On a busy machine a worker process, or one of PostgreSQL's, may need as long as these limits."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("service.work.workers.START_SECONDS", 300.0)
+        patch.setattr("courses.storage.engines.CONNECT_SECONDS", 60)
+        yield
+
+
+@pytest.fixture(scope="session", autouse=True)
 def certificates_are_read_once() -> Iterator[None]:
     """Reading whom to trust costs each client 25 ms, as much as several answers."""
     with pytest.MonkeyPatch.context() as patch:
