@@ -144,28 +144,35 @@ def test_time_that_other_programs_take_does_not_count() -> None:
     run(test)
 
 
-def test_a_full_queue_is_refused_at_once_with_a_time_to_retry() -> None:
+def test_a_full_queue_is_refused_at_once_with_a_time_to_retry(tmp_path: Path) -> None:
+    go = tmp_path / "go"
+
     async def test() -> None:
-        async with workers(symbolic_queue=1, symbolic_workers=1) as pool:
-            running = [asyncio.create_task(pool.run(Lane.SLOW, asleep, 1.0 + i)) for i in range(2)]
+        async with workers(symbolic_queue=1, symbolic_workers=1, queue_seconds=120) as pool:
+            tasks = (until_there, str.upper)
+            running = [asyncio.create_task(pool.run(Lane.SLOW, task, str(go))) for task in tasks]
             while pool.lanes[Lane.SLOW].queue.waiting < 1:
                 await asyncio.sleep(0.01)
             with pytest.raises(BusyError) as refused:
                 await pool.run(Lane.SLOW, double, 1)
             assert refused.value.headers["Retry-After"] == "2"
-            assert await asyncio.gather(*running) == [1.0, 2.0]
+            go.touch()
+            assert await asyncio.gather(*running) == [None, str(go).upper()]
 
     run(test)
 
 
-def test_who_waits_too_long_is_told_to_come_back() -> None:
+def test_who_waits_too_long_is_told_to_come_back(tmp_path: Path) -> None:
+    go = tmp_path / "go"
+
     async def test() -> None:
         async with workers(queue_seconds=0.2) as pool:
-            first = asyncio.create_task(pool.run(Lane.SLOW, asleep, 1.0))
+            first = asyncio.create_task(pool.run(Lane.SLOW, until_there, str(go)))
             await asyncio.sleep(0)
             with pytest.raises(BusyError):
                 await pool.run(Lane.SLOW, double, 1)
-            assert await first == 1.0
+            go.touch()
+            await first
             assert await pool.run(Lane.SLOW, double, 2) == 4
 
     run(test)
@@ -271,7 +278,7 @@ def test_a_connection_stays_open_until_its_thread_has_left_it(monkeypatch: pytes
     def late(process: WorkerProcess, task: bytes, timeout: float) -> bytes:
         held.append(process)
         entered.set()
-        assert proceed.wait(30)
+        assert proceed.wait(120)
         was_open.append(not process._connection.closed)
         return perform(process, task, timeout)
 
@@ -279,7 +286,7 @@ def test_a_connection_stays_open_until_its_thread_has_left_it(monkeypatch: pytes
         async with workers(symbolic_seconds=30.0) as pool:
             monkeypatch.setattr(WorkerProcess, "perform", late)
             task = asyncio.create_task(pool.run(Lane.SLOW, endless))
-            assert await asyncio.to_thread(entered.wait, 30)
+            assert await asyncio.to_thread(entered.wait, 120)
             monkeypatch.setattr(WorkerProcess, "perform", perform)
             task.cancel()
             with pytest.raises(asyncio.CancelledError):
