@@ -26,9 +26,12 @@ class Work:
 
 
 async def asked(batcher: Batcher[int, int], work: Work, numbers: Sequence[int]) -> list[object]:
-    tasks = [asyncio.create_task(batcher(number)) for number in numbers]
+    """Ask for the first number, and for the others while it is worked on."""
+    tasks = [asyncio.create_task(batcher(numbers[0]))]
     while not work.batches:
         await asyncio.sleep(0.01)
+    tasks += [asyncio.create_task(batcher(number)) for number in numbers[1:]]
+    await asyncio.sleep(0)
     work.go.set()
     return list(await asyncio.gather(*tasks, return_exceptions=True))
 
