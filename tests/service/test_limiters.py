@@ -341,7 +341,7 @@ def test_work_of_a_kind_that_takes_little_needs_no_thread(monkeypatch: pytest.Mo
         return work
 
     async def scene() -> None:
-        limiter = Limiter(threads=1, capacity=8, timeout=1)
+        limiter = Limiter(threads=1, capacity=8, timeout=60)
         asked = itertools.count()
 
         async def at_once(seconds: float, kind: str) -> bool:
