@@ -1,6 +1,7 @@
 """A running service and a client of it, for every test of the HTTP side."""
 
 from collections.abc import Iterator, Mapping
+from types import SimpleNamespace
 
 import httpx
 import pytest
@@ -26,6 +27,12 @@ def every_refusal_has_a_sentence() -> Iterator[None]:
         patch.setattr("service.http.problems.sentence", strict)
         patch.setattr("service.messages._log.warning", refuse)
         yield
+
+
+@pytest.fixture
+def one_minute(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Have no other minute begin, in which what was used in this one counts less."""
+    monkeypatch.setattr("service.http.cost_window.time", SimpleNamespace(monotonic=lambda: 1000.0))
 
 
 @pytest.fixture(scope="session")

@@ -12,6 +12,8 @@ from service.http.api_keys import KeyFile, KeyScope
 from service.settings import Settings
 from tests.live_service import running
 
+pytestmark = pytest.mark.usefixtures("one_minute")
+
 TABLE = {"convention": "standard", "rows": [{"alpha": 0, "a": 1, "d": 0, "theta": "q1"}]}
 FORWARD = {"table": TABLE, "joints": [0], "parts": ["transform"]}
 

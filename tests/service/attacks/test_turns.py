@@ -121,6 +121,7 @@ def test_who_hands_in_does_not_wait_behind_what_they_have_typed(
     assert had_turns.index("hand-in") <= TURNS + 2
 
 
+@pytest.mark.usefixtures("one_minute")
 def test_students_behind_one_address_have_a_limit_each(tmp_path: Path) -> None:
     """Those whom nobody knows share the one of their address, whatever sessions they make up."""
     app = create_app(Settings(storage="on", data_folder=tmp_path, cost_per_minute=MANY))
