@@ -89,13 +89,17 @@ def garbage_alone() -> Iterator[None]:
             gc.enable()
 
 
+PAUSES = (0.005, 0.02, 0.1, 0.5)
+"""Seconds for what runs in threads to end: usually it has, and on a busy machine it takes longer."""
+
+
 async def circles_of(do: Callable[[], Awaitable[object]]) -> Counter[str]:
     """Types of the objects that are left in circles when something is done again."""
-    for _ in range(3):  # the first time makes what is kept; what runs in threads may end a little later
+    for pause in PAUSES:  # the first time makes what is kept; what runs in threads may end a little later
         gc.collect()
         gc.freeze()
         await do()
-        await asyncio.sleep(0.005)
+        await asyncio.sleep(pause)
         gc.set_debug(gc.DEBUG_SAVEALL)
         try:
             gc.collect()
