@@ -214,7 +214,7 @@ def test_a_large_table_still_becomes_a_function(client: httpx.Client) -> None:
 
 
 def test_hostile_requests_end_in_time_and_delay_nobody() -> None:
-    settings = Settings(symbolic_seconds=0.5, symbolic_queue=1)
+    settings = Settings(symbolic_seconds=0.5, symbolic_queue=1, queue_seconds=120)
     everything = {
         "formats": ["python", "numpy", "c", "matlab", "javascript"],
         "jacobian": True,
@@ -222,10 +222,12 @@ def test_hostile_requests_end_in_time_and_delay_nobody() -> None:
     with running(settings) as url, httpx.Client(base_url=url, timeout=120) as client:
         client.post("/api/v1/symbolic", json={"table": PUMA_LENGTHS})
         answers: list[httpx.Response] = []
+        together = threading.Barrier(4)
 
         def hostile(number: int) -> None:
             table = {"convention": "modified", "rows": hostile_rows(64, alpha=f"0.{number}*alpha1")}
             body = {"table": table, **everything}
+            together.wait(60)
             answers.append(httpx.post(f"{url}/api/v1/symbolic", json=body, timeout=120))
 
         threads = [threading.Thread(target=hostile, args=(number,)) for number in range(3, 7)]
