@@ -160,7 +160,7 @@ def test_a_server_of_several_processes_tells_the_figures_of_all(tmp_path: Path) 
             assert eventually(counted)
     finally:
         process.terminate()
-        process.communicate(timeout=60)
+        process.communicate(timeout=120)
 
 
 def test_traces_name_routes_and_nobody(tmp_path: Path) -> None:
