@@ -282,7 +282,7 @@ def test_the_command_serves_and_the_health_check_agrees(image: Path) -> None:
         with serving(command, cwd=image / "app", environment=variables, user=user) as address:
             assert fetched(address, "/api/v1/openapi.json")[0] == 200
             assert fetched(address, "/")[0] == 200
-            assert healthy()  # within seconds, of which a busy machine may take more to begin
+            assert any(healthy() for _ in range(20))  # each waits for seconds: too few on a busy machine
     assert not list((image / "app").rglob("*.log"))
 
 
