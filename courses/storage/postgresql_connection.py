@@ -14,10 +14,6 @@ from psycopg import capabilities
 from psycopg.abc import PQGen
 from psycopg.conninfo import make_conninfo
 
-ANSWER_SECONDS = 10.0
-"""How long PostgreSQL may keep silent on a statement before it is asked whether it works on it."""
-LONGEST_SECONDS = 120.0  # How long it may work on a statement.
-_CANCEL_SECONDS = 1.0  # How long it may take to hear that nobody waits for the statement any more.
 _AT_WORK = """
     SELECT state = 'active' AND coalesce(wait_event_type, '') NOT IN ('Client', 'Lock')
     FROM pg_stat_activity WHERE pid = %s
@@ -28,7 +24,21 @@ _Result = TypeVar("_Result")
 
 
 class _Bounded(psycopg.Connection[Any]):
-    """Ends itself when the server has said nothing for a time."""
+    """Ends itself when the server has said nothing for a time.
+
+    The limits are those of a kind of connection, so that one of them can be changed without the other: the
+    connection that asks whether the server works must not be the more impatient one.
+
+    Attributes:
+        answer_seconds: how long PostgreSQL may keep silent on a statement before it is asked whether it works
+            on it.
+        longest_seconds: how long it may work on a statement.
+        cancel_seconds: how long it may take to hear that nobody waits for the statement any more.
+    """
+
+    answer_seconds = 10.0
+    longest_seconds = 120.0
+    cancel_seconds = 1.0
 
     def wait(self, gen: PQGen[_Result], *args: Any, **kwargs: Any) -> _Result:
         """Have the driver exchange messages with the server.
@@ -47,8 +57,8 @@ class _Bounded(psycopg.Connection[Any]):
                 ready = yield wanted
                 if ready:
                     asked = heard = time.monotonic()
-                elif time.monotonic() - asked > ANSWER_SECONDS:
-                    if time.monotonic() - heard > LONGEST_SECONDS or not self._is_at_work():
+                elif time.monotonic() - asked > self.answer_seconds:
+                    if time.monotonic() - heard > self.longest_seconds or not self._is_at_work():
                         self._end()
                         silence = time.monotonic() - heard
                         raise psycopg.OperationalError(f"the server said nothing for {silence:.0f} s")
@@ -66,7 +76,7 @@ class _Bounded(psycopg.Connection[Any]):
         """Close the connection; a server that is only slow need not finish what nobody waits for."""
         if capabilities.has_cancel_safe():
             with contextlib.suppress(psycopg.Error):
-                self.cancel_safe(timeout=_CANCEL_SECONDS)
+                self.cancel_safe(timeout=self.cancel_seconds)
         self.pgconn.finish()
 
 

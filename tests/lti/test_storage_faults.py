@@ -8,6 +8,7 @@ import uuid
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import Any
 from urllib.parse import parse_qs, urlsplit
 
 import httpx
@@ -18,13 +19,16 @@ from sqlalchemy import event
 from courses.model import Role
 from courses.people.enrolment import Arrival, arrive
 from courses.refusals import StorageError, StorageUnavailableError
-from courses.storage import engines, postgresql_connection, records
+from courses.storage import records
 from courses.storage.database import Store, open_store
+from courses.storage.postgresql_connection import PostgresqlConnection, _Bounded
 from service.course_resources import CourseResources, now
 from service.settings import Settings
+from tests.architecture.serving import reserved_port
 from tests.courses.classroom import joined, platform, submitted
 from tests.databases import frozen, new_database
 from tests.live_service import running
+from tests.lti.classes import eventually
 from tests.lti.test_launches import RIGHT
 
 
@@ -140,12 +144,16 @@ def test_a_database_that_goes_and_comes_back_loses_nothing(cable: Cable, tmp_pat
     store.close()
 
 
+def connected_soon(kind: type[_Bounded], address: str = "", /, **named: Any) -> Any:
+    """A connection of a kind, for which the server has two seconds, whatever the address says."""
+    return super(_Bounded, kind).connect(address, **{**named, "connect_timeout": 2})
+
+
 @pytest.mark.parametrize("idle", [0.0, 1.5], ids=["in use", "idle before"])
 def test_a_frozen_database_is_told_in_bounded_time_and_loses_nothing(
     postgresql: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, idle: float
 ) -> None:
     """How soon a server must answer is shortened only while none can: a busy machine's takes its time."""
-    monkeypatch.setattr(engines, "CONNECT_SECONDS", 2)
     with new_database(postgresql) as url:
         store = open_store(url, tmp_path)
         told = {"role": Role.LEARNER, "deployment": "1", "context": "c", "resource": "r"}
@@ -176,8 +184,9 @@ def test_a_frozen_database_is_told_in_bounded_time_and_loses_nothing(
             assert all(answer.is_success for answer in asked_at_once("a", "b"))
             time.sleep(idle)
             with frozen(postgresql), monkeypatch.context() as impatient:
-                impatient.setattr(postgresql_connection, "ANSWER_SECONDS", 0.2)
-                impatient.setattr(postgresql_connection, "_CANCEL_SECONDS", 0.2)
+                impatient.setattr(_Bounded, "connect", classmethod(connected_soon))
+                impatient.setattr(_Bounded, "answer_seconds", 0.2)
+                impatient.setattr(_Bounded, "cancel_seconds", 0.2)
                 for _ in range(2):
                     refused = asked_at_once("b", "c", "d")
                     assert {answer.status_code for answer in refused} == {503}
@@ -253,25 +262,65 @@ def test_a_server_that_only_reads_is_told_and_left_as_soon_as_another_one_writes
             assert eventually_ready(client) == (200, "up")
 
 
+_BEGUN, _ENOUGH = 1, 2
+_WORK = f"""
+    DO $$ BEGIN
+        PERFORM pg_advisory_xact_lock({_BEGUN});
+        WHILE NOT EXISTS (SELECT FROM pg_locks WHERE locktype = 'advisory' AND objid = {_ENOUGH}) LOOP
+            PERFORM pg_sleep(0.05);
+        END LOOP;
+    END $$
+"""
+"""Work that the server says it has begun, and that it does until it is told that it is enough."""
+
+
 def test_a_server_that_works_is_waited_for_and_one_that_waits_is_not(
     postgresql: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(postgresql_connection, "ANSWER_SECONDS", 0.3)
-    monkeypatch.setattr(postgresql_connection, "LONGEST_SECONDS", 3.0)
-    with new_database(postgresql) as url:
-        store = open_store(url, tmp_path)
+    """It has to answer soon only while a statement that is known to have begun is waited for."""
+    found_at_work, ask = threading.Event(), PostgresqlConnection._is_at_work
+
+    def noted(connection: PostgresqlConnection) -> bool:
+        if at_work := ask(connection):
+            found_at_work.set()
+        return at_work
+
+    def soon(limit: str = "answer_seconds") -> None:
+        impatient.setattr(PostgresqlConnection, limit, 0.3)
+
+    monkeypatch.setattr(PostgresqlConnection, "_is_at_work", noted)
+    with new_database(postgresql) as url, ThreadPoolExecutor() as threads:
+        store, teller = open_store(url, tmp_path), open_store(url, tmp_path)
         store.bound_answers()
         platform(store)
-        with store.reading() as connection:
-            assert connection.scalar(sa.text("SELECT 1 FROM pg_sleep(1.2)")) == 1
-        with pytest.raises(StorageUnavailableError), store.reading() as connection:
-            connection.execute(sa.text("SELECT pg_sleep(30)"))
+
+        def worked() -> None:
+            with store.reading() as connection:
+                connection.execute(sa.text(_WORK))
+
+        with teller.reading() as telling:
+            work = threads.submit(worked)
+            begun = sa.text(f"SELECT count(*) FROM pg_locks WHERE locktype = 'advisory' AND objid = {_BEGUN}")
+            assert eventually(lambda: telling.scalar(begun))
+            with monkeypatch.context() as impatient:
+                soon()
+                assert found_at_work.wait(120)
+            telling.execute(sa.text(f"SELECT pg_advisory_xact_lock({_ENOUGH})"))
+            work.result()
+        with monkeypatch.context() as impatient:
+            soon()
+            soon("longest_seconds")
+            with pytest.raises(StorageUnavailableError), store.reading() as connection:
+                connection.execute(sa.text("SELECT pg_sleep(600)"))
         turn = sa.select(records.platform).with_for_update()
         with store.writing() as first:
             first.execute(turn)
-            with pytest.raises(StorageUnavailableError), store.writing() as second:
-                second.execute(turn)
+            with monkeypatch.context() as impatient:
+                soon()
+                with pytest.raises(StorageUnavailableError), store.writing() as second:
+                    second.execute(turn)
         store.close()
+        teller.close()
 
 
 def eventually_ready(client: httpx.Client) -> tuple[int, str]:
@@ -432,7 +481,5 @@ def test_a_folder_that_cannot_be_written_is_said_at_the_start(tmp_path: Path) ->
 
 
 def test_a_database_that_is_not_there_is_said_at_the_start(tmp_path: Path) -> None:
-    with socket.create_server(("127.0.0.1", 0)) as free:
-        port = free.getsockname()[1]
-    with pytest.raises(StorageError, match="storage_unusable"):
+    with reserved_port() as port, pytest.raises(StorageError, match="storage_unusable"):
         open_store(f"postgresql://nobody:secret@127.0.0.1:{port}/none", tmp_path)
