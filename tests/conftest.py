@@ -134,7 +134,9 @@ def certificates_are_read_once() -> Iterator[None]:
 
 @pytest.fixture(scope="session")
 def postgresql() -> Iterator[str]:
-    """URL of a PostgreSQL server."""
-    with postgresql_server() as url:
+    """URL of a PostgreSQL server, which on a busy machine may take its time for a connection or an answer."""
+    with postgresql_server() as url, pytest.MonkeyPatch.context() as patch:
+        patch.setattr("courses.storage.engines.CONNECT_SECONDS", 120)
+        patch.setattr("courses.storage.postgresql_connection._Bounded.answer_seconds", 60.0)
         without_waiting_for_the_disk(url)
         yield url

