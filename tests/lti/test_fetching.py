@@ -1,6 +1,7 @@
 """Which addresses of platforms are asked: public ones over https, and those that the operator names."""
 
 import contextlib
+import itertools
 import socket
 import threading
 import time
@@ -11,7 +12,7 @@ from typing import Any
 import httpx
 import pytest
 
-from service.lti import fetching
+from service.lti import bounded_connections, fetching
 from service.lti.fetching import FetchedAnswer, Fetcher
 from service.lti.launch_errors import PlatformError
 from service.lti.memberships import members
@@ -104,18 +105,25 @@ def test_a_trusted_origin_is_asked_however_it_is_written(server: KeyServer, writ
     "begun", [b"", b"HTTP/1.1 200 OK\r\nX: ", b"HTTP/1.1 200 OK\r\nContent-Length: 100000\r\n\r\n"]
 )
 def test_an_answer_that_drips_in_is_given_up(begun: bytes, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Each piece came in time, so that the thread read on for as long as the platform liked."""
-    monkeypatch.setattr(fetching, "WHOLE_ANSWER", 0.2)
+    """Each piece came in time, so that the thread read on for as long as the platform liked.
+
+    Time passes once the answer has begun.
+    """
+    passed = 0.0
+    monkeypatch.setattr(bounded_connections, "time", SimpleNamespace(monotonic=lambda: passed))
     with socket.create_server(("127.0.0.1", 0)) as listener:
         root = f"http://127.0.0.1:{listener.getsockname()[1]}"
 
         def drip() -> None:
+            nonlocal passed
             connection, _ = listener.accept()
             with connection, contextlib.suppress(OSError):
                 connection.recv(4096)
                 connection.sendall(begun)
-                while True:
+                for piece in itertools.count():
                     connection.sendall(b"1")
+                    if piece == 10:
+                        passed = fetching.WHOLE_ANSWER + 1.0
                     time.sleep(0.01)
 
         thread = threading.Thread(target=drip)
