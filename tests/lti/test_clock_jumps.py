@@ -31,13 +31,14 @@ from tests.lti.test_launches import RIGHT, WRONG
 
 
 class Clock:
-    """The system's clock, with a jump."""
+    """The system's clock, with a jump; one that was stopped at a time only jumps."""
 
     jump = timedelta()
+    stopped: datetime | None = None
 
     @classmethod
     def now(cls, zone: Any) -> datetime:
-        return datetime.now(UTC).astimezone(zone) + cls.jump
+        return (cls.stopped or datetime.now(UTC)).astimezone(zone) + cls.jump
 
 
 @pytest.fixture
@@ -144,6 +145,7 @@ def test_what_was_sent_in_time_and_refused_as_busy_counts_when_it_is_sent_again(
     error: Exception,
 ) -> None:
     """It was refused as late: who hands in at the end of an exam meets the crowd."""
+    monkeypatch.setattr(clock, "stopped", datetime.now(UTC))
     examine(store)
 
     def refuse(*_: Any) -> Any:
