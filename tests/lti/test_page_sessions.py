@@ -85,7 +85,7 @@ def test_an_address_that_somebody_else_made_signs_nobody_in(
     page.goto("about:blank")
     page.goto(f"{exercise}#kept={taken_along}")
     wait_ready(page)
-    assert "#" not in page.url
+    expect(page).to_have_url(WITHOUT_FRAGMENT)
     expect(page.locator(".session-banner")).to_have_count(0)
 
 
