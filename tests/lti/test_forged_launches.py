@@ -227,7 +227,10 @@ def test_a_token_that_the_platform_did_not_sign_is_refused(
     assert token not in written
 
 
-def test_an_unknown_key_is_looked_for_once(forger: Forger, keys: KeyServer) -> None:
+def test_an_unknown_key_is_looked_for_once(
+    forger: Forger, keys: KeyServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("service.lti.platform_keys.REFETCHED_AFTER", 3600.0)
     before = keys.fetched
     for _ in range(3):
         begun = forger.begin(keys)

@@ -53,7 +53,7 @@ def test_every_line_item_ends_at_the_right_score(resources: CourseResources, sto
                 best[session.person.subject] = max(best[session.person.subject], score)
             time.sleep(0.2)
         lms.control(faults=0.2)
-        assert eventually(lambda: _hurried(store) and _settled(lms, best), timeout=90)
+        assert eventually(lambda: _hurried(store) and _settled(lms, best), timeout=300)
     finally:
         for sender in senders:
             sender.stop()
@@ -116,7 +116,7 @@ def test_a_slow_platform_is_sent_several_scores_at_a_time(
     resources: CourseResources, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """All of one wave have to be under way before any of them goes on."""
-    together, sent = threading.Barrier(SIMULTANEOUS, timeout=60), []
+    together, sent = threading.Barrier(SIMULTANEOUS, timeout=120), []
     here, lease = threading.current_thread(), score_sender.lease_scores
 
     def leased(store: Store, at: datetime, limit: int) -> list[Any]:
@@ -186,6 +186,7 @@ def test_a_silent_gradebook_holds_up_no_other(
         return DeliveryReport(delivery=Delivery.LATER)
 
     monkeypatch.setattr(score_sender, "PATIENCE", 0.0)
+    monkeypatch.setattr(score_sender, "SILENCE", 3600.0)
     monkeypatch.setattr(score_sender, "line_item_for", silent)
     monkeypatch.setattr(score_sender, "post_score", unheard)
     sender = ScoreSender(resources)
