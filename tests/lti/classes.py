@@ -24,6 +24,15 @@ LEARNER = "http://purl.imsglobal.org/vocab/lis/v2/membership#Learner"
 TEACHER = "http://purl.imsglobal.org/vocab/lis/v2/membership#Instructor"
 TEST_USER = "http://purl.imsglobal.org/vocab/lti/system/person#TestUser"
 ADMINISTRATOR = "http://purl.imsglobal.org/vocab/lis/v2/institution/person#Administrator"
+PLATFORM_SECONDS = 50.0
+"""How long a platform may take to answer on a busy machine: less than a score is leased for."""
+PATIENT_SERVICE = (
+    "-c",
+    "from courses.storage import engines; engines.CONNECT_SECONDS = 120; "
+    f"from service.lti import fetching; fetching.TIMEOUT = fetching.WHOLE_ANSWER = {PLATFORM_SECONDS}; "
+    "from service.__main__ import main; main()",
+)
+"""A service of one process that gives the platform, and the database, this time."""
 
 
 @contextlib.contextmanager

@@ -9,7 +9,16 @@ from courses.storage.database import Store, open_store
 from service.settings import Settings
 from tests.databases import either_database
 from tests.live_service import running
-from tests.lti.classes import Browser, Lms, lms_process
+from tests.lti.classes import PLATFORM_SECONDS, Browser, Lms, lms_process
+
+
+@pytest.fixture(scope="module", autouse=True)
+def platforms_may_take_their_time() -> Iterator[None]:
+    """On a busy machine the platform takes more seconds than the service gives it."""
+    with pytest.MonkeyPatch.context() as patch:
+        for name in ("fetching.TIMEOUT", "fetching.WHOLE_ANSWER", "memberships.LONGEST"):
+            patch.setattr(f"service.lti.{name}", PLATFORM_SECONDS)
+        yield
 
 
 @pytest.fixture(scope="session")

@@ -17,7 +17,7 @@ import pytest
 from courses.storage.database import open_store
 from tests.architecture.serving import reserved_port
 from tests.databases import new_database
-from tests.lti.classes import Browser, Lms, eventually, hint
+from tests.lti.classes import PATIENT_SERVICE, Browser, Lms, eventually, hint
 from tests.lti.test_killed import killed
 from tests.lti.test_launches import RIGHT, WRONG
 
@@ -37,9 +37,15 @@ def replicas(postgresql: str, lms: Lms, tmp_path_factory: pytest.TempPathFactory
         store.close()
         port = stack.enter_context(reserved_port())
         public = f"http://127.0.0.1:{port}"
-        told = {"FRAMEWISE_LTI_TRUSTED_ORIGINS": lms.root, "FRAMEWISE_PUBLIC_URL": public}
+        told = {
+            "FRAMEWISE_LTI_TRUSTED_ORIGINS": lms.root,
+            "FRAMEWISE_PUBLIC_URL": public,
+            "FRAMEWISE_QUEUE_SECONDS": "300",
+        }
         origins = [
-            stack.enter_context(killed(url, tmp_path_factory.mktemp("replica"), told, number))[0]
+            stack.enter_context(
+                killed(url, tmp_path_factory.mktemp("replica"), told, number, PATIENT_SERVICE)
+            )[0]
             for number in (port, *[0] * (REPLICAS - 1))
         ]
         lms.control(tool=public)
