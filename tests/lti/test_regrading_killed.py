@@ -22,7 +22,7 @@ from kinematics.cells import DEFAULT
 from service.course_resources import now
 from service.work.session_grading import Grader
 from tests.courses.classroom import arrival
-from tests.lti.classes import eventually
+from tests.lti.classes import PATIENT_SERVICE, eventually
 from tests.lti.measuring import filled
 from tests.lti.test_killed import killed
 
@@ -30,11 +30,24 @@ DATABASES = ["postgresql", *(["sqlite"] if os.environ.get("KILLS") else [])]
 STUDENTS, ATTEMPTS = 12, 4
 BATCH = 8
 """Attempts of one transaction, fewer than usual, so that a small class has several."""
-PROGRAM = (
-    "-c",
-    f"from courses.teaching import regrading; regrading.BATCH = {BATCH}; "
-    "from service.__main__ import main; main()",
-)
+HALFWAY = f"""
+import itertools, time
+from courses.storage import engines
+from courses.teaching import regrading
+from service.__main__ import main
+
+look, looks = regrading._waiting, itertools.count()
+
+def waiting(*told):
+    if next(looks) * {BATCH} >= {STUDENTS * ATTEMPTS // 2}:
+        time.sleep(600)
+    return look(*told)
+
+engines.CONNECT_SECONDS = 120
+regrading.BATCH, regrading._waiting = {BATCH}, waiting
+main()
+"""
+"""A service that does not get beyond half of the class, however late it is killed."""
 
 
 def teacher(store: Store) -> str:
@@ -67,8 +80,7 @@ def test_a_regrading_that_was_killed_goes_on(database: str, tmp_path: Path) -> N
         with pytest.raises(httpx.HTTPError):
             regraded(origin, link.id, token)
 
-    with killed(database, tmp_path, program=PROGRAM) as (origin, process):
-        os.setpriority(os.PRIO_PROCESS, process.pid, 19)  # on a busy machine, too, it is seen halfway
+    with killed(database, tmp_path, program=("-c", HALFWAY)) as (origin, process):
         asking = threading.Thread(target=ask, args=(origin,))
         asking.start()
         assert eventually(lambda: judged_so_far(store) >= BATCH, timeout=240)
@@ -76,7 +88,7 @@ def test_a_regrading_that_was_killed_goes_on(database: str, tmp_path: Path) -> N
         asking.join()
     before = judged_so_far(store)
     assert BATCH <= before < count
-    with killed(database, tmp_path) as (origin, _):
+    with killed(database, tmp_path, program=PATIENT_SERVICE) as (origin, _):
         found = regraded(origin, link.id, token).json()
         assert judged_so_far(store) == count
         applied = httpx.post(
