@@ -54,7 +54,7 @@ class Collection:
 
     def _looked(self, took: float) -> None:
         self.times, self._held, self._took = 0, sys.getallocatedblocks(), took
-        self._looks = 0
+        self._looks, self._grown = 0, 0.0
 
     def __call__(self, phase: str, info: dict[str, Any]) -> None:
         """Take note of a collection, as `gc.callbacks` asks for."""
@@ -92,12 +92,18 @@ class Collection:
     def look_at_all(self, idle_seconds: float) -> bool:
         """Look at all objects if much has been put aside, and nobody waits; return whether it was so.
 
+        What is held is counted once in a time that nobody asks: the interpreter visits every page of memory
+        for it, in a millisecond, or in a fifth of a second where the system has taken unused pages away.
+
         Args:
             idle_seconds: time since anybody asked for anything [s].
         """
-        grown = sys.getallocatedblocks() / self._held if self.times else 0.0
-        least = IDLE_SECONDS if grown > DOUBLED else max(IDLE_SECONDS, IDLE_TIMES * self._took)
-        if idle_seconds < least or grown <= GROWN:
+        if idle_seconds < IDLE_SECONDS:
+            self._grown = 0.0
+        elif self.times and not self._grown:
+            self._grown = sys.getallocatedblocks() / self._held
+        least = IDLE_SECONDS if self._grown > DOUBLED else max(IDLE_SECONDS, IDLE_TIMES * self._took)
+        if idle_seconds < least or self._grown <= GROWN:
             return False
         gc.unfreeze()
         self._looked(_put_all_aside())
