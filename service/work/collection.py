@@ -92,8 +92,8 @@ class Collection:
     def look_at_all(self, idle_seconds: float) -> bool:
         """Look at all objects if much has been put aside, and nobody waits; return whether it was so.
 
-        What is held is counted once in a time that nobody asks: the interpreter visits every page of memory
-        for it, in a millisecond, or in a fifth of a second where the system has taken unused pages away.
+        What is held is counted once in a time that nobody asks: the interpreter visits all its memory for it.
+        On a virtual machine that took 0.04 ms at once, and 40 to 210 ms after two seconds without a visit.
 
         Args:
             idle_seconds: time since anybody asked for anything [s].

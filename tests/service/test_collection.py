@@ -223,7 +223,7 @@ def test_what_stays_makes_all_be_looked_at(collection: Collection, monkeypatch: 
 def test_what_is_held_is_counted_once_while_nobody_asks(
     collection: Collection, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Counting visits every page of memory: on a machine that takes unused pages away it took 0.2 s."""
+    """Counting visits all memory: on a virtual machine it took up to 0.2 s after two seconds without."""
     counts = 0
     held = sys.getallocatedblocks()
 
