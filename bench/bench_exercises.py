@@ -20,10 +20,9 @@ another in a number, so that each is decided, verified and proved anew (of its r
 handed in before are read anew). The bar for right answers is 800 requests/s or a quarter of the empty
 endpoint's rate; it is stated here as that quarter.
 
-A request costs more than it did before there were courses, and before answers were judged by the digits they
-are typed with: on the machine of 2026-11-29 and in the same hour, the code of 2026-11-21 served 5,090 empty
-requests/s, 3,490 with the same answer (a ratio of 0.69), 564 with new ones in numbers (0.11) and 551 in names
-(0.12).
+A request costs more than it did: on the machine of 2026-11-29 and in the same hour, the code of 2026-11-21
+served 5,090 empty requests/s, 3,490 with the same answer (a ratio of 0.69), 564 with new ones in numbers
+(0.11) and 551 in names (0.12).
 
 The last rows are in process: the figure of an exercise, drawn and laid out, beside grading one new right
 answer.

@@ -15,6 +15,7 @@ from bench import Better, Row, Skipped, measured, race
 from bench.__main__ import modules
 from bench.empty_endpoint import application
 from bench.machine import describe
+from bench.measure import SAMPLE_SECONDS, _loops
 from bench.report import quantity, section, terminal, write
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -35,6 +36,12 @@ def test_the_ratio_says_how_many_times_better_we_are():
 )
 def test_a_bar_is_met_or_not_or_was_never_set(ratio, bar, met):
     assert row(1.0, ratio, bar).met is met
+
+
+def test_a_stall_in_the_first_call_does_not_make_samples_of_one_call(monkeypatch):
+    times = iter([1.0])
+    monkeypatch.setattr("bench.measure._time", lambda function, loops: next(times, 1e-6))
+    assert _loops(lambda: None) * 1e-6 >= SAMPLE_SECONDS
 
 
 def test_a_race_times_everybody_and_reports_per_item():
