@@ -1,6 +1,7 @@
 """Settings: every limit and every choice of the operator, from the environment (`FRAMEWISE_…`)."""
 
 from enum import StrEnum
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal, Self
 
@@ -232,7 +233,7 @@ class Settings(BaseSettings):
             raise ValueError("FRAMEWISE_NUMBER_SMALLEST is not below FRAMEWISE_NUMBER_LARGEST")
         return self
 
-    @property
+    @cached_property
     def cell_limits(self) -> "Limits":
         """The bounds on DH tables, as their reader takes them."""
         from kinematics.cells import Limits  # what looks after several servers reads no tables

@@ -101,9 +101,9 @@ class RawTable:
         content = (self.convention, self.angle_unit, self.length_unit, *cells)
         object.__setattr__(self, "_content", content)
         object.__setattr__(self, "_hash", hash(content))
-        given = (cell for row in self.rows for cell in (row.alpha, row.a, row.d, row.theta))
-        lengths = (len(cell) if isinstance(cell, str) else 0 for cell in given)
-        object.__setattr__(self, "_length", sum(max(SHORTEST, length) for length in lengths))
+        texts = [cell for row in cells for cell in row[1:] if type(cell) is str and len(cell) > SHORTEST]
+        shortest = SHORTEST * len(CELLS) * len(cells)
+        object.__setattr__(self, "_length", shortest + sum(map(len, texts)) - SHORTEST * len(texts))
 
     @property
     def length(self) -> int:

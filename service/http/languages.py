@@ -30,7 +30,7 @@ def language_of(request: Request) -> str:
     Raises:
         RequestError: the query parameter `lang` names a language that is not spoken here.
     """
-    asked = request.query_params.get("lang")
+    asked = request.query_params.get("lang") if request.scope["query_string"] else None
     if asked is None:
         return language_for(request.headers.get("accept-language"))
     if asked not in languages():

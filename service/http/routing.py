@@ -66,7 +66,7 @@ class ApiRequest(Request):
     body_limit: int = 0
     json_limits = JsonLimits()
 
-    @property
+    @cached_property
     def resources(self) -> "Resources":
         """The resources of the application that serves this request."""
         resources: Resources = self.scope["app"].state.resources
