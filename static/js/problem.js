@@ -41,15 +41,20 @@ export function problemNotice(error, { retry, placeOf = () => "" } = {}) {
 }
 
 /**
- * Work that says at a place what went wrong.
+ * Work that says at a place what went wrong; asked for again while it is under way, it is not begun anew.
  * @param {HTMLElement} place @param {() => Promise<void>} work @returns {() => Promise<void>}
  */
 export function telling(place, work) {
+  let underWay = false;
   return async () => {
+    if (underWay) return;
+    underWay = true;
     try {
       await work();
     } catch (error) {
       fill(place, problemNotice(error));
+    } finally {
+      underWay = false;
     }
   };
 }

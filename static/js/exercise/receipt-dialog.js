@@ -3,7 +3,7 @@
 import { copyText } from "../clipboard.js";
 import { announce, el, showDialog, uniqueId } from "../dom.js";
 import { t } from "../i18n.js";
-import { problemNotice } from "../problem.js";
+import { problemNotice, telling } from "../problem.js";
 import { saveFile } from "../save-file.js";
 import { keep, recall } from "../storage.js";
 import { pointsText } from "./progress.js";
@@ -20,15 +20,11 @@ export function openReceipt(api, exercise, { request }) {
   const result = el("div", { class: "stack", role: "status" });
   const address = `exercises/${exercise.id}/receipts`;
   const body = () => ({ ...request, name: name.value.trim() });
-  const take = async () => {
+  const take = telling(result, async () => {
     if (!name.value.trim()) return name.focus();
     keep("name", name.value.trim());
-    try {
-      result.replaceChildren(...shown(await api.post(address, body())));
-    } catch (error) {
-      result.replaceChildren(problemNotice(error));
-    }
-  };
+    result.replaceChildren(...shown(await api.post(address, body())));
+  });
   /** @param {any} issued */
   const shown = ({ receipt, qr, points, max_points: most }) => {
     const text = el("textarea", { rows: 5, readonly: true, "aria-label": t("form-receipt-as-text") });

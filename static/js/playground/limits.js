@@ -89,9 +89,9 @@ export class JointLimits {
         id: uniqueId("limit"),
         type: "text",
         ...VERBATIM,
-        value: value === null ? "" : plain(value, 4),
+        value: value === null ? "" : shortened(value),
         "aria-label": t(label, { name, unit }),
-        oninput: (event) => this.#typed(i, end, event.target),
+        oninput: (event) => this.#typed(i, event.target.closest("tr")),
       });
     };
     return el(
@@ -104,30 +104,35 @@ export class JointLimits {
     );
   }
 
-  /** @param {number} i @param {0 | 1} end @param {HTMLInputElement} input */
-  #typed(i, end, input) {
-    const value = input.value.trim() === "" ? null : numberIn(input.value);
-    const wrong = value === null && input.value.trim() !== "";
-    setValid(input, !wrong);
-    this.#say(wrong ? t("playground-number-needed") : "", input);
-    if (wrong) return;
+  /** Reads both limits of joint i + 1, whichever was typed. @param {number} i @param {HTMLElement} row */
+  #typed(i, row) {
+    const fields = [...row.querySelectorAll("input")];
+    const [least, greatest] = fields.map((field, end) => {
+      const known = this.#limits?.[i]?.[end] ?? null; // shown with fewer digits than it has
+      return known !== null && field.value === shortened(known) ? known : numberIn(field.value);
+    });
+    const unread = fields.filter((field) => field.value.trim() !== "" && numberIn(field.value) === null);
+    const reversed = least !== null && greatest !== null && least > greatest;
+    this.#mark(row, reversed ? fields : unread, reversed ? "playground-limits-reversed" : "playground-number-needed");
+    if (unread.length || reversed) return;
     const count = this.body.querySelectorAll("input").length / 2;
     const limits = Array.from({ length: count }, (_, k) => this.#limits?.[k] ?? null);
-    const pair = /** @type {[number | null, number | null]} */ ([...(limits[i] ?? [null, null])]);
-    pair[end] = value;
-    const reversed = pair[0] !== null && pair[1] !== null && pair[0] > pair[1];
-    for (const each of input.closest("tr")?.querySelectorAll("input") ?? []) setValid(each, !reversed);
-    if (reversed) return this.#say(t("playground-limits-reversed"), input);
-    limits[i] = pair[0] === null && pair[1] === null ? null : pair;
+    limits[i] = least === null && greatest === null ? null : [least, greatest];
     this.#limits = limits.every((each) => each === null) ? null : limits;
     this.changed(this.#limits);
   }
 
-  /** Says below the table why a limit that is being typed does not hold. @param {string} text @param {HTMLInputElement} input */
-  #say(text, input) {
-    const joint = input.closest("tr")?.querySelector("th")?.textContent ?? "";
-    fill(this.fault, text ? el("p", { class: "notice notice-problem", text: named(joint, text) }) : null);
-    if (text) input.setAttribute("aria-describedby", this.fault.id);
-    else input.removeAttribute("aria-describedby");
+  /** Marks the limits of a joint that do not hold, and says why below the table. @param {HTMLElement} row @param {Element[]} wrong @param {string} why */
+  #mark(row, wrong, why) {
+    for (const field of row.querySelectorAll("input")) {
+      setValid(field, !wrong.includes(field));
+      if (wrong.includes(field)) field.setAttribute("aria-describedby", this.fault.id);
+      else field.removeAttribute("aria-describedby");
+    }
+    const joint = row.querySelector("th")?.textContent ?? "";
+    fill(this.fault, wrong.length ? el("p", { class: "notice notice-problem", text: named(joint, t(why)) }) : null);
   }
 }
+
+/** A limit as it is shown. @param {number} limit */
+const shortened = (limit) => plain(limit, 4);
