@@ -190,3 +190,31 @@ def assert_accessible_at_any_width(page: Page, assert_accessible: Check, forced_
     for width in (390, 1280):
         page.set_viewport_size({"width": width, "height": 900})
         assert page.evaluate(SMALL_TARGETS) == [], width
+
+
+def test_forced_colors_keep_what_colors_say(open_page: OpenPage) -> None:
+    page = open_page("/exercises/scara")
+    page.emulate_media(forced_colors="active")
+    buttons = page.locator("dh-table-editor .dh-actions")
+    color = "(button) => getComputedStyle(button).color"
+    unable = buttons.locator("[aria-disabled]").first.evaluate(color)
+    assert unable != buttons.locator("button:not([aria-disabled])").first.evaluate(color)
+    line = "(input) => getComputedStyle(input).borderBottomWidth"
+    lit = cell(page, 0, "alpha")
+    before = lit.evaluate(line)
+    lit.evaluate("(input) => input.classList.add('lit')")
+    assert lit.evaluate(line) != before
+
+
+def test_a_sentence_above_an_exercise_fits_a_narrow_window_and_brackets_are_printed(
+    open_page: OpenPage,
+) -> None:
+    page = open_page("/exercises/scara")
+    page.set_viewport_size({"width": 320, "height": 640})
+    page.evaluate("""document.querySelector("#exercise").insertAdjacentHTML("afterend",
+      `<section class="card session-banner"><p class="row"><span class="badge warn">
+        El ejercicio se ha modificado después de un intento anterior</span></p></section>
+        <div class="bracketed"></div>`)""")
+    assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth")
+    printed = "(brackets) => getComputedStyle(brackets).printColorAdjust"
+    assert page.locator("#exercise ~ .bracketed").evaluate(printed) == "exact"

@@ -58,6 +58,10 @@ def test_a_wrong_answer_is_repaired_from_its_feedback(open_page: OpenPage) -> No
     submit(page)
     assert all_right(page)
     expect(page.locator("#history li")).to_have_count(2)
+    page.locator("#history li").first.get_by_role("button").click()
+    expect(verdict.locator(".outdated-note")).to_have_count(0)
+    page.locator("#history li").last.get_by_role("button").click()
+    expect(verdict).to_contain_text("You have changed your answer since.")
 
 
 def test_a_student_may_ask_for_less_help(open_page: OpenPage) -> None:
