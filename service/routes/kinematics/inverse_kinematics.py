@@ -26,7 +26,7 @@ router = CallRouter("kinematics")
 )
 async def inverse_kinematics(
     body: InverseQuestion, request: ApiRequest
-) -> InverseKinematicsAnswer | InverseKinematicsAnswers | BytesResponse:
+) -> InverseKinematicsAnswer | BytesResponse:
     """Return all distinct solutions if the arm has a closed form, and otherwise those that a search finds.
 
     There are closed forms for most arms of five and six revolute joints with a wrist or parallel axes, for
