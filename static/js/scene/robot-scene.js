@@ -77,7 +77,7 @@ export class RobotScene extends HTMLElement {
     this.#renderer.setModel(this.#whole);
     this.viewport.prepend(this.#renderer.element);
     new ResizeObserver(() => this.#resize()).observe(this.viewport);
-    this.#resize();
+    this.#draw();
   }
 
   /** Listens beyond itself while it is on the page: a scene that has left would be held, and drawn, for ever. */
