@@ -69,7 +69,7 @@ async def solved_each(
         KinematicsError: as `solved`, of a target at its place.
         ServiceError: no place for the task, or not one target was answered in time.
     """
-    asked = await api.in_thread(partial(_asked, request, robot))
+    asked = await api.in_thread(partial(_many_targets, request, robot))
     seconds = api.settings.symbolic_seconds
     answers = await api.resources.workers.run(
         Lane.SLOW, _solve_each, asked.question, asked.targets, ALLOTTED * seconds
@@ -77,7 +77,7 @@ async def solved_each(
     return await api.in_thread(partial(_written, asked, answers, robot, seconds, language_of(api)))
 
 
-class _Asked(NamedTuple):
+class _ManyTargets(NamedTuple):
     """Many targets for one arm."""
 
     question: "TargetQuestion"
@@ -85,7 +85,7 @@ class _Asked(NamedTuple):
     targets: list[Matrix]
 
 
-def _asked(request: NumericInverseKinematicsRequest, robot: PreparedRobot) -> _Asked:
+def _many_targets(request: NumericInverseKinematicsRequest, robot: PreparedRobot) -> _ManyTargets:
     with traced(request):
         question = _question(request, robot)
         targets = [
@@ -94,11 +94,11 @@ def _asked(request: NumericInverseKinematicsRequest, robot: PreparedRobot) -> _A
         solver = question.solver()
         for i, target in enumerate(targets):
             solver.goal(target, question.tolerance, where=("targets", i))
-    return _Asked(question, solver, targets)
+    return _ManyTargets(question, solver, targets)
 
 
 def _written(
-    asked: _Asked,
+    asked: _ManyTargets,
     answers: Sequence[InverseKinematics],
     robot: PreparedRobot,
     seconds: float,

@@ -15,7 +15,7 @@ import { named, t } from "../i18n.js";
 import { inSentence } from "../numbers.js";
 import { api, forgetFragment, startPage, watchOtherTabs } from "../page.js";
 import { problemNotice } from "../problem.js";
-import { openSession } from "../session/course-session.js";
+import { openSession } from "../session/session.js";
 import { stepAsked } from "../undo.js";
 
 /** Milliseconds without a change until the draft is looked at. */

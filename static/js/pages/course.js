@@ -8,7 +8,7 @@ import { LinkView } from "../lecturer/link-view.js";
 import { api, startPage } from "../page.js";
 import { problemNotice, telling } from "../problem.js";
 import "../scene/robot-scene.js";
-import { openSession, signedIn } from "../session/course-session.js";
+import { openSession, signedIn } from "../session/session.js";
 
 const $ = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
 

@@ -23,8 +23,10 @@ import { inSentence } from "../numbers.js";
 import { problemNotice } from "../problem.js";
 import "../scene/robot-scene.js";
 import { keep, recall } from "../storage.js";
-import { CourseSession, notOpened, openAsked, openSession, receiptView } from "../session/course-session.js";
+import { notOpened, openAsked, openSession, receiptView } from "../session/session.js";
 import { convertedValues } from "../units.js";
+
+/** @typedef {import("../session/course-session.js").CourseSession} CourseSession */
 
 /** @param {string} id */
 const $ = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
@@ -41,7 +43,10 @@ async function run() {
   let course = null;
   try {
     const told = await openSession(api, () => warnAbove(t("session-ended")));
-    if (told?.exercise === id) course = new CourseSession(api, told);
+    if (told?.exercise === id) {
+      const { CourseSession } = await import("../session/course-session.js");
+      course = new CourseSession(api, told);
+    }
     if (course && told.seed !== seed) return openAsked(told);
     if (told?.exercise && !course && told.role === "learner") {
       const action = { text: t("session-elsewhere-go"), run: () => openAsked(told) };

@@ -11,7 +11,7 @@ import { problemNotice } from "../problem.js";
 import { emptyModel } from "../scene/model.js";
 import { across, cross, dot, minus, norm, plus, times, unit } from "../scene/matrix.js";
 import { carried, keep, recall } from "../storage.js";
-import { notOpened, openSession } from "../session/course-session.js";
+import { notOpened, openSession } from "../session/session.js";
 import { candidateText, findingNotice, showChooser } from "../trainer/chooser.js";
 import { litModel, picture } from "../trainer/picture.js";
 import { backTo, choose, isFull, onward, partOf, same, shuffled, start, STEPS, wire } from "../trainer/steps.js";
