@@ -189,7 +189,7 @@ def _catalogue() -> list[Outcome]:
         in_all, robot = slowest(parts, tuple(Format))
         outcomes.append(
             measured(
-                f"the same with code in eleven languages, by SymPy's printers; the slowest is {robot}",
+                f"the same with code in {len(SOURCES)} languages by SymPy's printers; the slowest is {robot}",
                 peer="without code",
                 ours=in_all,
                 theirs=seconds,

@@ -30,6 +30,7 @@ def language_of(request: Request) -> str:
     Raises:
         RequestError: the query parameter `lang` names a language that is not spoken here.
     """
+    # Hardly any request has a query, and to parse none takes 10 µs.
     asked = request.query_params.get("lang") if request.scope["query_string"] else None
     if asked is None:
         return language_for(request.headers.get("accept-language"))

@@ -7,8 +7,9 @@ from typing import Any
 import httpx
 import pytest
 from fastapi import FastAPI
+from fastapi.routing import APIRoute
 
-from service.app import create_app
+from service.app import OFTEN, create_app
 from service.http.calls import CallRouter
 from service.routes.checks.check_rotation import CheckRotationRequest, check_rotation
 from service.schemas.base import Wire
@@ -66,3 +67,10 @@ def test_answers_are_judged_in_threads_and_short_work_is_done_at_once(way: str) 
     told = asyncio.run(asked())
     assert told["text"] == "ping fr"
     assert (told["thread"] == threading.current_thread().name) == (way == "call")
+
+
+def test_calls_that_are_asked_for_often_are_looked_for_first() -> None:
+    """A path that is written wrongly among them would be no route's."""
+    app = create_app()
+    first = [route.path for route in app.routes[: len(OFTEN)] if isinstance(route, APIRoute)]
+    assert sorted(first) == sorted(OFTEN)

@@ -1,5 +1,6 @@
 """POST /inverse-kinematics over HTTP."""
 
+import asyncio
 import math
 from typing import Any
 
@@ -358,6 +359,35 @@ def test_of_many_targets_those_that_time_does_not_reach_to_are_told_one_by_one(
     assert "method" not in many["answers"][-1]
     assert many["faults"][0]["params"]["answered"] == answered
     assert asked(client, table=PUMA_560, targets=targets[:1])["faults"] == []
+
+
+def test_many_targets_are_read_and_written_beside_the_event_loop(
+    client: httpx.Client, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A thousand held up everybody for a tenth of a second."""
+    in_the_loop: dict[str, list[bool]] = {"pose_matrix": [], "target_answer": []}
+
+    def noting(name: str) -> Any:
+        work = getattr(inverse_solutions, name)
+
+        def noted(*given: Any) -> Any:
+            in_the_loop[name].append(_in_an_event_loop())
+            return work(*given)
+
+        return noted
+
+    for name in in_the_loop:
+        monkeypatch.setattr(inverse_solutions, name, noting(name))
+    asked(client, table=PUMA_560, targets=[[0.4, 0.2, 0.3, 0, 0, 0]] * 2)
+    assert in_the_loop == {"pose_matrix": [False] * 2, "target_answer": [False] * 2}
+
+
+def _in_an_event_loop() -> bool:
+    try:
+        asyncio.get_running_loop()
+    except RuntimeError:
+        return False
+    return True
 
 
 def test_named_lengths_get_their_values_for_all_targets(client: httpx.Client) -> None:
